@@ -194,6 +194,8 @@ def statechart_json(chart: Statechart, folder: PurePath | None = None) -> Json:
         marks: Json = {"first": True} if item.first else {}
         if not item.changes_state:
             marks["kind"] = item.kind.value
+        if item.into:
+            marks["into"] = list(item.into)
         if item.resume:
             marks["resume"] = True
         if item.reactive:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import field
 from enum import StrEnum
 from functools import cached_property
+from itertools import takewhile
 
 from aseme_dsl.amola.expression import (
     EMPTY,
@@ -103,6 +104,8 @@ class Transition:
     `priority` is its rank among the transitions of its source; 0 is tried first. Transitions with neither
     event nor condition come after the others, and `else` comes last.
 
+    - `into`: the states in regions of the target, an AND, that are entered instead of the STARTs of their
+      regions, in document order; two at least, or none.
     - `first`: it interrupts its source (`A [> B`). It is tried before all transitions inside the source; of
       several such transitions, the outermost first.
     - `resume`: the target resumes the configuration in which it was exited before it was complete.
@@ -120,6 +123,12 @@ class Transition:
     kind: TransitionKind = TransitionKind.EXTERNAL
     resume: bool = False
     reactive: bool = False
+    into: tuple[str, ...] = ()
+
+    @property
+    def targets(self) -> tuple[str, ...]:
+        """The states that it names as its targets."""
+        return self.into or (self.target,)
 
     @property
     def changes_state(self) -> bool:
@@ -192,6 +201,24 @@ _IN_ANOTHER = {
 def label_key(label: str) -> tuple[int, ...]:
     """Orders labels as places: 0.2 before 0.10."""
     return tuple(int(part) for part in label.split("."))
+
+
+def lowest_around(labels: Sequence[str]) -> str:
+    """The label of the lowest state that is all of some states or has them inside."""
+    paths = [label.split(".") for label in labels]
+    same = takewhile(lambda parts: len(set(parts)) == 1, zip(*paths, strict=False))
+    return ".".join(parts[0] for parts in same)
+
+
+def split_targets(region: str, into: Iterable[str]) -> tuple[str, tuple[str, ...]] | None:
+    """What is entered inside a region of an AND whose targets are `into`: the target, and the targets in it.
+
+    The second part is empty unless the first is an AND, too. None: the region is entered at its START.
+    """
+    inside = tuple(label for label in into if label.startswith(f"{region}."))
+    if not inside:
+        return None
+    return (inside[0], ()) if len(inside) == 1 else (lowest_around(inside), inside)
 
 
 @dataclass(frozen=True)
@@ -391,6 +418,19 @@ class Statechart(Displayed):
             return self.branch_of(node.parent)
         return self.branch_of(node.label)
 
+    def entries_of(self, transition: Transition) -> tuple[str, ...]:
+        """The targets, and the regions of ANDs around them that are entered at their STARTs with them."""
+        targets = transition.targets
+        found = dict.fromkeys(targets)
+        inside = f"{self.scope_of(transition)}."
+        for target in targets:
+            for around in self.ancestors(target):
+                if around.type is StateType.AND and around.label.startswith(inside):
+                    for region in self.children(around.label):
+                        if split_targets(region.label, targets) is None:
+                            found[region.label] = None
+        return tuple(found)
+
     def scope_of(self, transition: Transition) -> str:
         """The lowest OR state that holds source and target (P1, section 4.3)."""
         around = {node.label for node in self.ancestors(transition.target)}
@@ -424,5 +464,7 @@ __all__ = [
     "TransitionKind",
     "Variable",
     "label_key",
+    "lowest_around",
+    "split_targets",
     "transition_text",
 ]

@@ -132,7 +132,7 @@ class _Explorer:
                 ),
                 *sent,
             )
-            target = (configuration - left) | self._entered(item.target)
+            target = (configuration - left).union(*map(self._entered, self.eac.entries_of(item)))
         received = [event for event in expression.events if isinstance(event, Received)]
         for event in received:
             yield (("?", event.performative, event.message, event.participant), *sent), target

@@ -79,7 +79,7 @@ def _reached_in_silence(
                 and _is_silent(item, with_events)
                 and not _is_for_later(item, inside)
             ) and _is_complete(eac, item, reached):
-                reached |= _entered(eac, item.target)
+                reached |= {item.target}.union(*(_entered(eac, label) for label in eac.entries_of(item)))
                 changed = True
     return reached
 

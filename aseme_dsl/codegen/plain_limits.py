@@ -70,7 +70,7 @@ def _limits(chart: Statechart, activities: Iterable[Activity]) -> Iterator[Limit
     for transition in chart.transitions:
         if chart.acts_in(transition) != chart.region_of(transition.source):
             yield Limit(AgentFeature.LEAVING, transition.span)
-        elif chart.region_of(transition.target) != chart.region_of(transition.source):
+        elif transition.into or chart.region_of(transition.target) != chart.region_of(transition.source):
             yield Limit(AgentFeature.ENTERING, transition.span)
         elif transition.kind is TransitionKind.ON and chart.is_region(transition.source):
             yield Limit(AgentFeature.STAYING, transition.span)

@@ -217,6 +217,7 @@ def _transition(transition: Transition, placed: bool = True) -> str:
             ("first", transition.first, False),
             ("kind", transition.kind.value, "external"),
             ("resume", transition.resume, False),
+            ("into", transition.into, ()),
             ("text", transition_text(transition), ""),
             ("at", place(transition.span) if placed else "", ""),
         ],

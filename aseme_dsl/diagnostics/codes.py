@@ -273,6 +273,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E607": ("error", "duplicate state label"),
     "E608": ("error", "missing or misplaced activity"),
     "E612": ("error", "`on` or `exit` of a transient state"),
+    "E613": ("error", "targets that cannot be entered together"),
     "E610": ("error", "duplicate initial value in `with`"),
     "E611": ("error", "unknown variable in `with`"),
     "W600": ("warning", "unreachable state"),

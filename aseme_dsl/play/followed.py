@@ -109,8 +109,9 @@ def entered_by(plan: Plan, numbers: Iterable[int]) -> set[str]:
     for number in numbers:
         item = plan.transitions[number]
         if item.kind == "external":
-            found |= {label for label in around(item.target) if not is_in(item.source, label)}
-            found.add(item.target)
+            for target in (item.target, *item.into):
+                found |= {label for label in around(target) if not is_in(item.source, label)}
+                found.add(target)
     return found
 
 

@@ -169,7 +169,7 @@ def ends_open(fork: Fork) -> bool:
 def _closers(chart: Statechart, fork: Fork) -> tuple[Way, ...] | None:
     if fork.trigger != COMPLETION or ends_open(fork):
         return None
-    if len({branch.target for branch in fork.branches}) < 2:
+    if len({branch.targets for branch in fork.branches}) < 2:
         return None  # a wait
     own = paths(chart, fork.state)
     if len(own) >= MOST:

@@ -169,7 +169,7 @@ def _overlaps(question: _Question) -> Iterator[Finding]:
             if place in question.closed or other in question.closed:
                 continue
             first = question.branches[other]
-            if first.target == branch.target and first.expression.actions == branch.expression.actions:
+            if first.targets == branch.targets and first.expression.actions == branch.expression.actions:
                 continue
             witness = _overlap(question, other, place)
             if witness is not None:

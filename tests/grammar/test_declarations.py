@@ -343,7 +343,7 @@ def test_statechart() -> None:
     )
     assert short(chart.variables) == (("Var", "n", "int", 0),)
     assert short(chart.lets) == (("Let", "late", "(n > 3)"),)
-    assert [(way.source.text, way.target.text) for way in chart.transitions] == [
+    assert [(way.source.text, way.targets[0].text) for way in chart.transitions] == [
         ("0.1", "0.2"),
         ("0.2", "0.3"),
     ]

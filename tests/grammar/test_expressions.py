@@ -238,7 +238,7 @@ def test_an_expression_ends_where_the_next_entry_begins() -> None:
         ("finish", "f", None, (None, (("Assign", "x", "start.y"),))),
     ]
     assert [
-        (way.source.text, way.target.text, short(way.expression.condition))
+        (way.source.text, way.targets[0].text, short(way.expression.condition))
         for way in entries
         if isinstance(way, tree.LabelledWay)
     ] == [("0.2.3", "0.2.4", "(1.5 < a)"), ("0.1", "0.10", None)]

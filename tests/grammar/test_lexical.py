@@ -124,7 +124,7 @@ def test_a_blank_before_a_unit_has_a_fix_everywhere() -> None:
 def test_labels_keep_their_text() -> None:
     chart = declared("statechart C { state 0 OR state 0.10 BASIC A state 0.1 START 0.1 -> 0.10 : }")
     assert [node.label.text for node in chart.nodes] == ["0", "0.10", "0.1"]
-    assert (chart.transitions[0].source.text, chart.transitions[0].target.text) == ("0.1", "0.10")
+    assert (chart.transitions[0].source.text, chart.transitions[0].targets[0].text) == ("0.1", "0.10")
 
 
 def test_blanks_around_the_points_of_a_path_mean_nothing() -> None:

@@ -992,7 +992,55 @@ def _statechart(words: Words) -> list[str]:
             texts.append(f"  {node.label} -> {choices.one_of(outside).label} : {text}")
         if node.kind == "OR" and not node.region and choices.one_in(8):
             texts.append(f"  on {node.label} : {words.staying('on')}")
+    for node in nodes:
+        if node.kind == "AND" and not choices.one_in(3):
+            texts += _several(words, nodes, node)
     return texts
+
+
+def _several(words: Words, nodes: Sequence[Node], parallel: Node) -> list[str]:
+    """Transitions into several regions of an AND, from outside or from inside of it."""
+    choices = words.choices
+    sources = [
+        node
+        for node in nodes
+        if node.kind != "END"
+        and (node.kind != "CONDITION" or node.region == parallel.region)
+        and (
+            node.region == parallel.region
+            or node.label.startswith(f"{parallel.label}.")
+            or may_lead(nodes, node, parallel)
+        )
+    ]
+    found: list[str] = []
+    for at_once in (True, False):
+        targets = _in_regions(choices, nodes, parallel.label)
+        if sources and len(targets) > 1:
+            source = nodes[0] if at_once else choices.one_of(sources)
+            text, _ = words.transition(decided=source.kind == "CONDITION", otherwise=False)
+            found.append(f"  {source.label} -> ({', '.join(targets)}) : {'[true]' if at_once else text}")
+    return found
+
+
+def _in_regions(choices: Choices, nodes: Sequence[Node], parallel: str) -> list[str]:
+    """States at any depth in several regions of an AND; of an AND inside one of them, too."""
+    regions = [node.label for node in nodes if node.label.rpartition(".")[0] == parallel]
+    found: list[str] = []
+    for place, region in enumerate(regions):
+        if place >= 2 and choices.one_in(2):
+            continue
+        inside = [
+            node
+            for node in nodes
+            if node.label.startswith(f"{region}.") and node.kind in ("BASIC", "OR", "AND", "END")
+        ]
+        inside = [node for node in inside if node.region]
+        if not inside:
+            continue
+        target = choices.one_of(inside)
+        inner = _in_regions(choices, nodes, target.label) if target.kind == "AND" else []
+        found += inner if len(inner) > 1 and choices.one_in(2) else [target.label]
+    return found
 
 
 def may_lead(nodes: Sequence[Node], node: Node, other: Node) -> bool:
@@ -1010,8 +1058,8 @@ def _around(label: str) -> set[str]:
     return {".".join(parts[:length]) for length in range(1, len(parts))}
 
 
-def text(choices: Choices) -> str:
-    """A text with a role `R`, from formulas or given state by state."""
+def text(choices: Choices, *, given: bool = False) -> str:
+    """A text with a role `R`, from formulas or (always, if so `given`) state by state."""
     channels = tuple(choices.one_of(CHANNELS) for _ in range(choices.number(1, 3)))
     common = Words(choices, {}, {}, CHANNELS if choices.one_in(3) else channels)
     top, lets = _lets(common, "top")
@@ -1025,7 +1073,7 @@ def text(choices: Choices) -> str:
     words = replace(words, lets=lets | kinds, crossing=crossing)
     beginning = [*_variables(variables), *(f"  {let}" for let in own)]
     parts = [PRELUDE, *top]
-    if choices.one_in(3):
+    if given or choices.one_in(3):
         parts += ["statechart R {", *beginning, *_statechart(words), "}"]
     else:
         parts += _role(words, common, beginning)

@@ -883,7 +883,11 @@ class Reference:
         # "Entering by resume: the states around the remembered leaves are entered outermost first … Then the
         # memory is spent."
         again = self.kept.pop(target, None) if transitions[-1].resume else None
-        self.enter(path[0], path[1:], again, target if transitions[-1].resume else "")
+        # "Where a region of it has a target of its own (`A -> (B, C)`), the region goes there instead of its
+        # START."
+        into = transitions[-1].into
+        towards = frozenset(state for label in into for state in [label, *self.around(label)])
+        self.enter(path[0], path[1:], again, target if transitions[-1].resume else "", towards)
 
     def take_on(self, number: int, board: Region) -> None:
         """ "Nothing is left or entered." """
@@ -1091,9 +1095,11 @@ class Reference:
         path: list[str] | None = None,
         again: tuple[set[str], set[str]] | None = None,
         resumed: str = "",
+        towards: frozenset[str] = frozenset(),
     ) -> None:
         """Enter a state, and inside it the next one of the path instead of its START.
 
+        Behind the path, a state that is `towards` several targets is entered instead of a START.
         At the end of the path, at `resumed`, `again` says what was active, and what of that complete, when it
         was left.
         """
@@ -1139,8 +1145,11 @@ class Reference:
             case "OR":
                 # "OR: its START becomes active"
                 was = [child for child in self.children(label) if again is not None and child in again[0]]
+                led = [child for child in self.children(label) if child in towards]
                 if path:
-                    self.enter(path[0], path[1:], again, resumed)
+                    self.enter(path[0], path[1:], again, resumed, towards)
+                elif led:
+                    self.enter(led[0], towards=towards)
                 elif was:
                     self.enter(was[0], None, again)
                 else:
@@ -1153,9 +1162,9 @@ class Reference:
                 for inner in self.children(label):
                     self.begin_region(inner, surrounding)
                     if path and path[0] == inner:
-                        self.enter(inner, path[1:], again, resumed)
+                        self.enter(inner, path[1:], again, resumed, towards)
                     else:
-                        self.enter(inner, None, None if path else again)
+                        self.enter(inner, None, None if path else again, towards=towards)
 
     def begin_region(self, inner: str, surrounding: Region) -> None:
         """The blackboard of a region that is entered."""

@@ -51,6 +51,7 @@ def _tamed(chart: Statechart, simple: bool) -> Statechart:
         _tame(item, simple)
         for item in chart.transitions
         if (item.kind is not TransitionKind.ON or item.expression.events)
+        and not item.into
         and chart.acts_in(item) == chart.region_of(item.source) == chart.region_of(item.target)
         and not (item.kind is TransitionKind.ON and chart.is_region(item.source))
     )

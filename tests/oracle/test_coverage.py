@@ -50,9 +50,9 @@ class Counting(Reference):
         self.has_failed = False
         self.is_asked = False
 
-    def enter(self, label: str, *arguments: Any) -> None:
+    def enter(self, label: str, *arguments: Any, **named: Any) -> None:
         self.notes.append(f"+{label}")
-        super().enter(label, *arguments)
+        super().enter(label, *arguments, **named)
 
     def be_in(self, label: str, *arguments: Any) -> None:
         if not self.notes or self.notes[-1] != f"+{label}":

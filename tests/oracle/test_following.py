@@ -35,9 +35,9 @@ class Recording(Reference):
         super().__init__(*arguments)
         self.notes: list[str] = []
 
-    def enter(self, label: str, *arguments: Any) -> None:
+    def enter(self, label: str, *arguments: Any, **named: Any) -> None:
         self.notes.append(f"+{label}")
-        super().enter(label, *arguments)
+        super().enter(label, *arguments, **named)
 
     def be_in(self, label: str, *arguments: Any) -> None:
         if self.notes[-1] != f"+{label}":  # of a part that goes on, `enter` has noted its branch

@@ -258,7 +258,8 @@ def _calls(chart: Statechart, tree: Tree, item: Behaviour) -> Iterator[str]:
         call = "register_action" if not transition.changes_state else "register_transition"
         if transition.changes_state and _is_default(transition):
             call = "register_default_transition"
-        yield f"self.{call}({', '.join([*arguments, *names])})"
+        into = [f"into={transition.into!r}"] if transition.into else []
+        yield f"self.{call}({', '.join([*arguments, *names, *into])})"
 
 
 def _is_default(transition: Transition) -> bool:
@@ -297,6 +298,8 @@ def _way(chart: Statechart, transition: Transition) -> str:
     """A transition for people: from where it leads where, or in what it does something."""
     ends = [chart.node(label) for label in (transition.source, transition.target)]
     whence, where = (POINTS.get(node.type) or node.name for node in ends)
+    if transition.into:
+        where = " and ".join(POINTS.get(node.type) or node.name for node in map(chart.node, transition.into))
     around = next((node.name for node in chart.ancestors(ends[0].label) if node.name != node.label), "")
     text = f"from {whence} to {where}" if transition.changes_state else f"in {whence}"
     return f"{text}, in {around}" if around and any(node.type in POINTS for node in ends) else text

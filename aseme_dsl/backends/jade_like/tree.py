@@ -333,6 +333,7 @@ def _is_plain(transition: Transition) -> bool:
     decided = said.is_unconditional and not said.when and said.every is None
     return (
         transition.changes_state
+        and not transition.into
         and decided
         and not said.actions
         and not transition.first

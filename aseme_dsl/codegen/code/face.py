@@ -95,7 +95,8 @@ class Face:
         text = transition_text(transition)
         target = self.chart.node(transition.target)
         named = f" {target.name}" if target.name != target.label else ""
-        ends = f"{transition.source} -> {transition.target}{named}"
+        targets = f"({', '.join(transition.into)})" if transition.into else f"{transition.target}{named}"
+        ends = f"{transition.source} -> {targets}"
         return "  ".join(part for part in (ends, text, f"({place(transition.span)})") if part)
 
     def python(self, kind: Type) -> str:

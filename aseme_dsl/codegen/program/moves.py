@@ -29,7 +29,8 @@ class Move:
     """A compound transition: its segments, what it leaves and enters.
 
     `scope` is the lowest OR state that holds all sources and targets, `region` the one in which that is: what
-    the segments do counts there. With `stays` nothing is left or entered.
+    the segments do counts there. With `stays` nothing is left or entered. `into` are the states in regions of
+    the target, an AND, that are entered instead of the STARTs there.
     """
 
     taken: tuple[int, ...]
@@ -39,6 +40,7 @@ class Move:
     target: str
     stays: bool
     resume: bool
+    into: tuple[str, ...]
 
 
 def move_of(flat: FlatChart, taken: tuple[int, ...]) -> Move:
@@ -47,7 +49,8 @@ def move_of(flat: FlatChart, taken: tuple[int, ...]) -> Move:
     scope = min((flat.chart.scope_of(segment) for segment in segments), key=len)
     last = segments[-1]
     stays = segments[0].kind is TransitionKind.ON
-    return Move(taken, segments, scope, flat.region_number[scope], last.target, stays, last.resume)
+    region = flat.region_number[scope]
+    return Move(taken, segments, scope, region, last.target, stays, last.resume, last.into)
 
 
 def path(chart: Statechart, scope: str, target: str) -> list[str]:

@@ -162,7 +162,7 @@ class Uses:
             active = stack.pop()
             for source in (active, *(around.label for around in self._chart.ancestors(active))):
                 for transition in self._chart.outgoing(source):
-                    entered = [transition.target]
+                    entered = [transition.target, *self._chart.entries_of(transition)]
                     while entered:
                         state = entered.pop()
                         if state == and_state or (state.startswith(inside) and not source.startswith(inside)):

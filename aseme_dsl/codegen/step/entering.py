@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from typing import assert_never
 
-from aseme_dsl.amola.statechart import State, StateType
+from aseme_dsl.amola.statechart import State, StateType, split_targets
 from aseme_dsl.codegen.code.face import docstring, key_of
 from aseme_dsl.codegen.code.tree import (
     NOW,
     all_of,
 )
 from aseme_dsl.codegen.code.values import converted, evaluate
+from aseme_dsl.codegen.program.flat import FlatRegion
 from aseme_dsl.codegen.program.moves import path, raises
 from aseme_dsl.codegen.step.actions import Actions
 from aseme_dsl.codegen.step.names import Method, Part, StepNames
@@ -34,16 +35,18 @@ class Entering(Part):
         resume: bool = False,
         again: bool = False,
         complete: bool = False,
+        into: tuple[str, ...] = (),
     ) -> None:
         """Enter a state inside `scope`, outermost first.
 
+        `into` are states in regions of the target, an AND, that are entered instead of the STARTs there.
         With `resume` a composite target resumes its last configuration. The other two are for states inside
         it: `again` for an AND whose regions resume, too, `complete` for a BASIC state whose activity has
         returned.
         """
         for label in reversed(path(self.chart, scope, target)):
             if self.chart.is_region(label):
-                self._enter_one(method, depth, region, label, target, resume)
+                self._enter_one(method, depth, region, label, target, resume, into)
                 return
             entered = self.chart.node(label)
             if not again and self.history.suspends(entered) and not (label == target and resume):
@@ -61,6 +64,8 @@ class Entering(Part):
                 if target in self.registers.ending:
                     method.add(depth, f"self.await_outcome({target!r})")
                 method.add(depth, f"self.k{region} = {self.begin(node)}")
+            case StateType.AND if into:
+                self._enter_parts(method, depth, region, target, into)
             case StateType.AND:
                 method.add(depth, f"self.r{region} = {number}")
                 for inner in self.flat.regions_of(target):
@@ -83,7 +88,14 @@ class Entering(Part):
                 assert_never(node.type)
 
     def _enter_one(
-        self, method: Method, depth: int, region: int, entered: str, target: str, resume: bool
+        self,
+        method: Method,
+        depth: int,
+        region: int,
+        entered: str,
+        target: str,
+        resume: bool,
+        into: tuple[str, ...],
     ) -> None:
         """Enter an AND, in one of its regions (`entered`) the target instead of its START."""
         around = self.chart.node(entered).parent
@@ -91,14 +103,31 @@ class Entering(Part):
         method.add(depth, f"self.r{region} = {self.flat.leaf[around]}")
         for inner in self.flat.regions_of(around):
             if inner.label == entered:
-                if self.history.suspends(self.chart.node(entered)):
-                    method.add(depth, f"self.discard({entered!r})")
-                begin = self.names.writing(inner.number)
-                self.begin_region(begin, inner.number)
-                method.take(depth - 2, begin)
-                self.enter(method, depth, inner.number, entered, target, resume=resume)
+                self._begin_part(method, depth, inner)
+                self.enter(method, depth, inner.number, entered, target, resume=resume, into=into)
             else:
                 method.add(depth, f"self._enter_{inner.number}(now)")
+
+    def _enter_parts(
+        self, method: Method, depth: int, region: int, parallel: str, into: tuple[str, ...]
+    ) -> None:
+        """Enter an AND, in some of its regions a target instead of their STARTs."""
+        method.add(depth, f"self.r{region} = {self.flat.leaf[parallel]}")
+        for inner in self.flat.regions_of(parallel):
+            part = split_targets(inner.label, into)
+            if part is None:
+                method.add(depth, f"self._enter_{inner.number}(now)")
+            else:
+                self._begin_part(method, depth, inner)
+                self.enter(method, depth, inner.number, inner.label, part[0], into=part[1])
+
+    def _begin_part(self, method: Method, depth: int, region: FlatRegion) -> None:
+        """Begin a region of an AND in which another state than its START is entered."""
+        if self.history.suspends(self.chart.node(region.label)):
+            method.add(depth, f"self.discard({region.label!r})")
+        begin = self.names.writing(region.number)
+        self.begin_region(begin, region.number)
+        method.take(depth - 2, begin)
 
     def begin(self, node: State) -> str:
         """The call that starts the activity of a state; with arguments in a method of its own."""

@@ -66,7 +66,7 @@ class Taking(Part):
         if self.history.suspended:
             method.add(depth, "self.held.clear()")
         looked_at = self.actions.actions(method, depth, region, source, taken, place)
-        self.entering.enter(method, depth, place, scope, move.target, resume=move.resume)
+        self.entering.enter(method, depth, place, scope, move.target, resume=move.resume, into=move.into)
         for channel, host in looked_at:
             self.actions.consume(method, depth, region, channel, host, place)
 

@@ -261,10 +261,11 @@ def _entered(chart: Statechart) -> dict[str, list[str]]:
         if not transition.changes_state:
             continue
         inside = chart.scope_of(transition) + "."
-        child = chart.node(transition.target)
-        while child.parent is not None and child.parent.startswith(inside):
-            found.setdefault(child.parent, []).append(child.label)
-            child = chart.node(child.parent)
+        for target in transition.targets:
+            child = chart.node(target)
+            while child.parent is not None and child.parent.startswith(inside):
+                found.setdefault(child.parent, []).append(child.label)
+                child = chart.node(child.parent)
     return found
 
 

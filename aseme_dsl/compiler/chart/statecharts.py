@@ -21,6 +21,7 @@ from aseme_dsl.amola.statechart import (
 )
 from aseme_dsl.compiler.chart.chart import World, waiting_states
 from aseme_dsl.compiler.chart.regions import regions_of
+from aseme_dsl.compiler.chart.targets import around_all, into_of, targets_problem
 from aseme_dsl.compiler.control.choices import (
     Alternative,
     always_false,
@@ -124,17 +125,20 @@ def read_statechart(
             elif not damaged:
                 found.append(_unknown(entry.state, nodes))
             continue
-        missing = [name for name in (entry.source, entry.target) if name.text not in nodes]
+        missing = [name for name in (entry.source, *entry.targets) if name.text not in nodes]
         if missing:
             if not damaged:
                 found += [_unknown(name, nodes) for name in missing]
             continue
-        place = entry.source.span.to(entry.target.span)
-        problem = structure_problem(nodes, nodes[entry.source.text], nodes[entry.target.text], place)
+        target, *others = entry.targets
+        problem = targets_problem(nodes, entry.targets) if others else None
+        if problem is None:
+            entered = nodes[around_all(entry.targets)]
+            problem = structure_problem(nodes, nodes[entry.source.text], entered, entry.ends)
         if problem is not None:
             found.append(problem)
             continue
-        lines.append(LabelledLine(entry.source, entry.target, line))
+        lines.append(LabelledLine(entry.source, target, line, others=tuple(others)))
     if not damaged:
         found += _decisions(written, nodes, lines)
     is_sound = not damaged and not any(isinstance(item.problem, Unsound) for item in found)
@@ -154,12 +158,13 @@ def build_statechart(given: GivenChart, world: World) -> Statechart | None:
         Transition(
             _transition_name(item, names),
             item.source.text,
-            item.target.text,
+            around_all((item.target, *item.others)),
             item.line.expression,
             0,
             origin,
             item.line.span,
             kind=item.kind,
+            into=into_of(item),
         )
         for item in given.lines
     ]
@@ -176,7 +181,7 @@ def build_statechart(given: GivenChart, world: World) -> Statechart | None:
 def _transition_name(item: LabelledLine, names: Mapping[str, str]) -> str:
     if item.kind is not TransitionKind.EXTERNAL:
         return f"{names[item.source.text]}{item.kind.name}"
-    return f"{names[item.source.text]}TO{names[item.target.text]}"
+    return f"{names[item.source.text]}TO{names[around_all((item.target, *item.others))]}"
 
 
 def _no_place_to_stay(node: State, line: tree.StandingWay) -> Diagnostic | None:
@@ -300,8 +305,10 @@ def _decisions(
         if item.kind is not TransitionKind.EXTERNAL:
             yield from always_false((item.line,))
             continue
-        name = f"{item.source} -> {item.target}"
-        alternative = Alternative(name, (item.line,), item.source.span.to(item.target.span))
+        target = f"({', '.join(map(str, (item.target, *item.others)))})" if item.others else item.target
+        name = f"{item.source} -> {target}"
+        last = (item.target, *item.others)[-1]
+        alternative = Alternative(name, (item.line,), item.source.span.to(last.span))
         by_source.setdefault(item.source.text, []).append(alternative)
     sources = tuple(label for label, alternatives in by_source.items() if len(alternatives) > 1)
     if sources and not any(_says_something(item.line.written) for item in lines):

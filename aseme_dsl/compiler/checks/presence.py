@@ -231,7 +231,8 @@ def _known(
     incoming: dict[str, list[Transition]] = {}
     for transition in chart.transitions:
         if transition.changes_state:
-            incoming.setdefault(transition.target, []).append(transition)
+            for label in (transition.target, *transition.into):
+                incoming.setdefault(label, []).append(transition)
     ends = {node.parent: node.label for node in chart.states if node.type is StateType.END}
 
     def left(transition: Transition) -> Channels:

@@ -43,7 +43,8 @@ def check_signals(
     for item in chart.transitions:
         if not item.changes_state or item.reactive:
             continue
-        incoming.setdefault(item.target, []).append((item, _signals(item, symbols)))
+        for label in (item.target, *item.into):
+            incoming.setdefault(label, []).append((item, _signals(item, symbols)))
     for transition, signals in asking:
         yield from _taken_on_the_way(chart, transition, signals, incoming)
         if transition.expression.when:

@@ -43,7 +43,7 @@ def _ways(chart: Statechart, state: State) -> tuple[e.Value, ...] | None:
     Transitions to several states are a choice, of which the gaps are reported by themselves.
     """
     own = [item for item in chart.outgoing_edges(state.label) if not item.reactive]
-    if not own or len({item.target for item in own}) > 1:
+    if not own or len({item.targets for item in own}) > 1:
         return None
     if any(item.expression.when for item in own):
         return None  # what the state itself does may change the condition

@@ -36,6 +36,7 @@ from aseme_dsl.diagnostics.problems.control import (
 from aseme_dsl.diagnostics.problems.statecharts import (
     NoStateOfFormula,
     OutsideOfBranch,
+    TargetsInFormula,
     TransitionIntoRegion,
     TransitionIntoStart,
     TransitionOfRoot,
@@ -66,12 +67,16 @@ class Line:
 
 @dataclass(frozen=True, slots=True)
 class LabelledLine:
-    """`0.2.3 -> 0.2.4 : …`; of a `statechart` also `on 0.2.3 : …`, whose source is its target, too."""
+    """`0.2.3 -> 0.2.4 : …`; of a `statechart` also `on 0.2.3 : …`, whose source is its target, too.
+
+    `others` are the further targets of a transition into several regions, which only a `statechart` has.
+    """
 
     source: tree.Name
     target: tree.Name
     line: Line
     kind: TransitionKind = TransitionKind.EXTERNAL
+    others: tuple[tree.Name, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -162,7 +167,10 @@ def read_lines(
             if written.weight is not None and (name in decided_again or isinstance(entry, tree.LabelledWay)):
                 found.append(Diagnostic(WeightMisplaced(), written.weight.span))
             if isinstance(entry, tree.LabelledWay):
-                labelled.append(LabelledLine(entry.source, entry.target, line))
+                if len(entry.targets) > 1:
+                    found.append(Diagnostic(TargetsInFormula(), entry.ends))
+                    continue
+                labelled.append(LabelledLine(entry.source, entry.targets[0], line))
                 continue
             key, problem = way(terms, entry.verb, entry.term)
             if problem is not None and of_participant and is_abandon(entry):

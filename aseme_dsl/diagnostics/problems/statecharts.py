@@ -321,6 +321,92 @@ class NoPlaceToStay(Unsound):
         return f"write `{self.verb}` for a BASIC, OR or AND state"
 
 
+# ---- E613: several targets ---------------------------------------------------------------------
+
+
+class TargetTwice(Unsound):
+    code = "E613"
+    label: str
+
+    @property
+    def message(self) -> str:
+        return f"{self.label} is a target twice"
+
+    hint = "write it once"
+
+
+class TargetInTarget(Unsound):
+    """`around` is the outer one of two targets."""
+
+    code = "E613"
+    label: str
+    around: str
+
+    @property
+    def message(self) -> str:
+        return f"the target {self.label} is inside the target {self.around}"
+
+    @property
+    def hint(self) -> str:
+        return f"remove {self.around}: it is entered with {self.label}"
+
+
+class TargetsTogether(Unsound):
+    """`around` is the OR in which both targets are, `parallel` its AND if it is a region."""
+
+    code = "E613"
+    first: str
+    second: str
+    around: str
+    parallel: str | None
+
+    @property
+    def message(self) -> str:
+        what = f"a region of {self.parallel}" if self.parallel is not None else "not AND"
+        return f"the targets {self.first} and {self.second} are both in {self.around}, which is {what}"
+
+    @property
+    def hint(self) -> str:
+        return f"name one of them: of the states in {self.around}, one is active at a time"
+
+
+class TargetIsRegion(Unsound):
+    """`parallel` is the AND that the region is of."""
+
+    code = "E613"
+    label: str
+    parallel: str
+
+    @property
+    def message(self) -> str:
+        return f"the target {self.label} is a region of {self.parallel}"
+
+    hint = "remove it: a region without a target is entered at its START"
+
+
+class TargetIsChoice(Unsound):
+    """`around` is the state that the choice is in."""
+
+    code = "E613"
+    label: str
+    around: str
+
+    @property
+    def message(self) -> str:
+        return f"the target {self.label} is a CONDITION: of several targets, each is a state to be active"
+
+    @property
+    def hint(self) -> str:
+        return f"name {self.around}, if its START leads to the choice, or a branch of the choice"
+
+
+class TargetsInFormula(Unsound):
+    code = "E613"
+    message = "a transition of a formula has one target"
+
+    hint = "lead to the AND, or write the role as a `statechart`"
+
+
 class StateNotReached(Problem):
     """`name` is None where the state has only its label."""
 

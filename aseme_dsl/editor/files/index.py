@@ -368,7 +368,7 @@ NAMES: dict[tuple[type, str], tuple[Use, _Meaning]] = {
     (tree.Place, "at"): (Use.READ, _party),
     (tree.Control, "name"): (Use.READ, _controlled),
     (tree.LabelledWay, "source"): (Use.READ, _is(Kind.STATE, _owner)),
-    (tree.LabelledWay, "target"): (Use.READ, _is(Kind.STATE, _owner)),
+    (tree.LabelledWay, "targets"): (Use.READ, _is(Kind.STATE, _owner)),
     (tree.StandingWay, "state"): (Use.READ, _is(Kind.STATE, _owner)),
     (tree.Received, "performative"): (Use.READ, _is(Kind.PERFORMATIVE)),
     (tree.Received, "message"): (Use.READ, _is(Kind.MESSAGE)),

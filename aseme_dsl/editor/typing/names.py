@@ -517,6 +517,7 @@ PLACES: Mapping[tuple[str, str], Provider] = {
     ("Control", "name"): _controls,
     ("LabelledWay", "source"): _labels,
     ("LabelledWay", "target"): _labels,
+    ("LabelledWay", "targets"): _labels,
     ("StandingWay", "state"): _labels,
     ("ChartNode", "name"): activities,
     ("ChartNode", "activity"): activities,

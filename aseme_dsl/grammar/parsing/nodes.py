@@ -282,7 +282,8 @@ class Way(Node):
 
 class LabelledWay(Node):
     source: Leaf
-    target: Leaf
+    target: Leaf | None
+    targets: list[Leaf]
     tokens: list[Leaf]
 
 

@@ -8,7 +8,7 @@ from typing import TypeAlias
 Expression: TypeAlias = 'str | tuple[Expression, ...]'
 
 FILES = ['aseme.tx', 'deployment.tx', 'expressions.tx', 'formulas.tx', 'lexical.tx', 'messages.tx', 'protocols.tx', 'requirements.tx', 'roles.tx', 'statecharts.tx']
-CHECKSUM = 2761542453
+CHECKSUM = 223238189
 
 RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     'File': (
@@ -762,12 +762,16 @@ RULES: Mapping[str, tuple[str, dict[str, str], Expression]] = {
     ),
     'LabelledWay': (
         'common',
-        {'source': 'one', 'target': 'one', 'tokens': 'many'},
+        {'source': 'one', 'target': 'one', 'targets': 'many', 'tokens': 'many'},
         (
             'series',
             ('=', 'source', 'Label'),
             ('sign', '->'),
-            ('=', 'target', 'Label'),
+            (
+                'choice',
+                ('=', 'target', 'Label'),
+                ('series', ('sign', '('), ('+=', 'targets', 'Label', ('sign', ',')), ('sign', ')')),
+            ),
             ('sign', ':'),
             ('*=', 'tokens', 'ControlToken'),
         ),

@@ -361,12 +361,17 @@ class Way:
 
 @dataclass(frozen=True, slots=True)
 class LabelledWay:
-    """`0.2.3 -> 0.2.4 : …`"""
+    """`0.2.3 -> 0.2.4 : …`, or `0.1 -> (0.2.1.2, 0.2.2.3) : …` with a target in each of several regions."""
 
     source: Name
-    target: Name
+    targets: tuple[Name, ...]
     expression: TransitionExpression
     span: Span
+
+    @property
+    def ends(self) -> Span:
+        """The place of the labels, from the source to the last target."""
+        return self.source.span.to(self.targets[-1].span)
 
 
 @dataclass(frozen=True, slots=True)

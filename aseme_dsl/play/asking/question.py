@@ -73,7 +73,9 @@ def _transition(plan: Plan, source: str, target: str) -> Goal:
     numbers = {
         number
         for number, item in enumerate(plan.transitions)
-        if item.kind == "external" and item.source in sources and item.target in targets
+        if item.kind == "external"
+        and item.source in sources
+        and not targets.isdisjoint((item.target, *item.into))
     }
     if not numbers:
         text = f"no transition of {plan.name} leads from {source} to {target} at once: ask for {target}"

@@ -74,7 +74,8 @@ class Teller:
         source = self.plan.by_label[first.source]
         start = "the start of " if source.type == "START" else ""
         name = self.state(first.source).removeprefix("start of ")
-        return f"to {self.state(last.target)} from {start}{name}{by} ({last.at or first.at})"
+        targets = " and ".join(map(self.state, last.targets))
+        return f"to {targets} from {start}{name}{by} ({last.at or first.at})"
 
     # ---- what was so -----------------------------------------------------------------------------
 

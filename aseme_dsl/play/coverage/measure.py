@@ -208,7 +208,8 @@ def _way_title(chart: Statechart, number: int) -> str:
 
 def _ends_of(chart: Statechart, number: int) -> str:
     item = chart.transitions[number]
-    source, target = (_cut(chart.title(chart.by_label[label])) for label in (item.source, item.target))
+    source, *targets = (_cut(chart.title(chart.by_label[label])) for label in (item.source, *item.targets))
+    target = f"({', '.join(targets)})" if item.into else targets[0]
     return f"{source} -> {target}" if item.changes_state else source
 
 

@@ -38,7 +38,7 @@ def reach_of(chart: Statechart) -> Reach:
         waiting += (other.label for other in chart.ancestors(label))
         for number in by_source.get(label, ()):
             taken.add(number)
-            waiting.append(chart.transitions[number].target)
+            waiting += (chart.transitions[number].target, *chart.entries_of(chart.transitions[number]))
     return Reach(frozenset(reached), frozenset(_possible(chart, reached, taken)))
 
 

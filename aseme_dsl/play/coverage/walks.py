@@ -138,7 +138,9 @@ def _shape_of(chart: Statechart) -> Shape:
             "",
             tuple(PlanState(item.label, item.name, item.type.value, item.parent) for item in chart.states),
             tuple(
-                PlanTransition(item.source, item.target, kind=item.kind.value, resume=item.resume)
+                PlanTransition(
+                    item.source, item.target, kind=item.kind.value, resume=item.resume, into=item.into
+                )
                 for item in chart.transitions
             ),
             branches=tuple(BranchInfo(item.label, item.origin.owner, item.origin.name) for item in branches),

@@ -133,7 +133,7 @@ class Guards:
             if drawn is not None and not drawn.reactive and drawn.expression.guard is not None:
                 text = cut(e.value_text(drawn.expression.guard))
                 told = "; ".join(explained(drawn.expression.guard, known, changed))
-                target = plan.called(plan.by_label[item.target])
+                target = plan.called_all(item.targets)
                 read = f", {told}" if told else ""
                 yield f"not to {target}, as not [{text}] ({without_column(item.at)}){read}"
         if len(before) > _MOST:

@@ -11,7 +11,7 @@ from aseme_dsl.play.sight.story import Happened
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.time.clock import shown
-from aseme_dsl.runtime.trace.records import Record
+from aseme_dsl.runtime.trace.records import Record, Taken, targets_of
 from aseme_dsl.source import without_column
 
 _LONGEST = 60
@@ -89,12 +89,10 @@ def leaf_names(plan: Plan, labels: Iterable[str]) -> list[str]:
     return busy or list(found)
 
 
-def way(plan: Plan, source: str, target: str) -> str:
+def way(plan: Plan, taken: Taken) -> str:
     """What people call a transition that is taken."""
-    left, entered = plan.by_label[source], plan.by_label[target]
-    if left.type == "START":
-        return f"enters {plan.called(entered)}"
-    return f"{plan.called(left)} -> {plan.called(entered)}"
+    left, entered = plan.by_label[taken["source"]], plan.called_all(targets_of(taken))
+    return f"enters {entered}" if left.type == "START" else f"{plan.called(left)} -> {entered}"
 
 
 def sending(said: Said, receivers: Iterable[str], durations: Collection[str]) -> Happened:

@@ -158,7 +158,7 @@ def _lines(
             if expression is None:
                 continue  # it is refused, with a diagnostic
             if isinstance(entry, tree.LabelledWay):
-                source, target = entry.source.text[len(label) :], entry.target.text[len(label) :]
+                source, target = (name.text[len(label) :] for name in (entry.source, *entry.targets))
                 yield claim.LabelLine(formula, source, target, expression, entry.span)
             else:
                 term = entry.term

@@ -61,7 +61,10 @@ def are_alike(one: Plan, other: Plan) -> bool:
     """Whether the steps of one are those of the other; places and conditions of lines may differ."""
     if [replace(item, at="") for item in one.states] != [replace(item, at="") for item in other.states]:
         return False
-    ways = [[(item.source, item.target, item.kind) for item in plan.transitions] for plan in (one, other)]
+    ways = [
+        [(item.source, item.target, item.into, item.kind) for item in plan.transitions]
+        for plan in (one, other)
+    ]
     return ways[0] == ways[1]
 
 

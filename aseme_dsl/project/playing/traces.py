@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import TypedDict
 
 from aseme_dsl.records import dataclass
-from aseme_dsl.runtime.trace.records import Record, Taken, agents_of
+from aseme_dsl.runtime.trace.records import Record, Taken, agents_of, targets_of
 from aseme_dsl.runtime.trace.state_names import StateNames
 from aseme_dsl.runtime.trace.trace_files import TraceError, part_of, reason_of
 from aseme_dsl.runtime.trace.trace_formats import format_for
@@ -97,7 +97,7 @@ def _is_at(record: Record, state: str) -> bool:
     if isinstance(record.get("configuration"), list):
         labels += record["configuration"]
     for way in record.get("taken", ()) if isinstance(record.get("taken"), list) else ():
-        labels += [way["source"], way["target"]]
+        labels += [way["source"], way["target"], *way.get("into", ())]
     return any(label == state or label.startswith(f"{state}.") for label in labels)
 
 
@@ -384,7 +384,8 @@ _PLACES = ("label", "region", "branch")
 
 def _way(way: Taken, agent: str, names: StateNames) -> str:
     """A transition that was taken; one that stays in its state has that alone."""
-    source, target = (names.name(agent, label) for label in (way["source"], way["target"]))
+    source, *targets = (names.name(agent, label) for label in (way["source"], *targets_of(way)))
+    target = targets[0] if len(targets) == 1 else f"({', '.join(targets)})"
     return f"{source} -> {target} {way['text']}".rstrip()
 
 

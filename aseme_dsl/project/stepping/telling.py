@@ -22,7 +22,7 @@ def told(records: Iterable[Record], plans: Mapping[str, Plan]) -> Iterator[tuple
         match record["kind"]:
             case "step":
                 for taken in record["taken"]:
-                    yield agent, way(plans[agent], taken["source"], taken["target"])
+                    yield agent, way(plans[agent], taken)
             case "activity" if record["what"] in ("end", "crash"):
                 yield agent, ending(record)
             case "activity" if record["what"] in ("start", "cancel"):

@@ -57,7 +57,15 @@ def like(plan: Plan, label: str) -> str:
         if is_in(item.label, label)
     ]
     ways = [
-        (inside(t.source), inside(t.target), t.priority, t.events, t.when, t.otherwise, t.every, _does(t))
+        (
+            *map(inside, (t.source, t.target, *t.into)),
+            t.priority,
+            t.events,
+            t.when,
+            t.otherwise,
+            t.every,
+            _does(t),
+        )
         for t in plan.transitions
         if is_in(t.source, label)
     ]

@@ -327,7 +327,8 @@ class _Found:
     def _place(self, label: str) -> str:
         """The line of the last transition that leads to a state; without one, of the last one."""
         if label:
-            fits = [way for way in self._ways if is_in(label, self._plan.transitions[way[-1]].target)]
+            ends = ((way, self._plan.transitions[way[-1]].targets) for way in self._ways)
+            fits = [way for way, targets in ends if any(is_in(label, target) for target in targets)]
         else:
             fits = [way for way in self._ways if any(self._plan.transitions[n].text for n in way)]
         found = fits or self._ways

@@ -168,7 +168,7 @@ class _Search:
                 self._events(plan, item)
                 if plan.by_label[item.source].type == "AND" and not item.first:
                     self._completion(plan, item.source)
-            elif region_of(plan, item.target) == region:
+            elif region in (region_of(plan, target) for target in item.targets):
                 self._add(plan, region_of(plan, item.source))
         for state in plan.states:
             if state.arguments and region_of(plan, state.label) == region:
@@ -261,6 +261,14 @@ def _reaches_end(plan: Plan, label: str) -> bool:
     inside = {child.label: child for child in plan.children(label)}
     seen: set[str] = set()
     todo = [name for name, child in inside.items() if child.type == "START"]
+    todo += [
+        name
+        for item in plan.transitions
+        if item.kind == "external" and (item.into or not is_in(item.source, label))
+        for target in item.targets
+        for name in inside
+        if is_in(target, name)
+    ]
     while todo:
         name = todo.pop()
         if name in seen:

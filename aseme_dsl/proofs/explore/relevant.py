@@ -172,6 +172,8 @@ def _reached(plan: Plan, leaf: str, scope: str | None) -> Iterator[str]:
             if item.source != label or item.target == scope:
                 continue
             todo.append((item.target, item.kind == "external"))
+            if item.kind == "external":
+                todo += [(other, True) for other in plan.entries_of(item)]
             if item.resume:
                 todo += [(other.label, True) for other in plan.states if is_in(other.label, item.target)]
 

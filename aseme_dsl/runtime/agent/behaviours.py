@@ -51,19 +51,25 @@ ALL = "all"
 class Way:
     """How one state follows on another: `text` is what stands on the transition, "" for completion.
 
-    With `stays`, nothing is left: something is done while the source is active, or when it is left.
+    With `stays`, nothing is left: something is done while the source is active, or when it is left. `into`
+    are the states in regions of the target, by their labels, at which these begin.
     """
 
     source: str
     target: str
     text: str = ""
     stays: bool = False
+    into: tuple[str, ...] = ()
 
 
 _Registered = tuple[
-    "type[Behaviour] | str", "type[Behaviour] | str | None", str, "tuple[type[WakerBehaviour], ...]"
+    "type[Behaviour] | str",
+    "type[Behaviour] | str | None",
+    str,
+    "tuple[type[WakerBehaviour], ...]",
+    tuple[str, ...],
 ]
-"""A source, a target (None where nothing is left), what is said of the way, and the times in it."""
+"""A source, a target (None where nothing is left), what is said of the way, the times in it, its `into`."""
 
 
 class Behaviour(HasDataStore):
@@ -234,22 +240,31 @@ class CompositeBehaviour(Behaviour):
         target: type[Behaviour] | str,
         text: str = "",
         *wakers: type[WakerBehaviour],
+        into: tuple[str, ...] = (),
     ) -> None:
-        """From here it continues there when `text` says so; `wakers` are the times in it."""
-        self._registered.append((source, target, text, wakers))
+        """From here it continues there when `text` says so; `wakers` are the times in it.
+
+        A target that is parallel may begin at the states `into` which it leads, given by their labels.
+        """
+        self._registered.append((source, target, text, wakers, into))
 
     def register_default_transition(
-        self, source: type[Behaviour] | str, target: type[Behaviour] | str, text: str = ""
+        self,
+        source: type[Behaviour] | str,
+        target: type[Behaviour] | str,
+        text: str = "",
+        *,
+        into: tuple[str, ...] = (),
     ) -> None:
         """From here it continues there when the source is done and nothing else is open; `text` says what is
         done on the way."""
-        self.register_transition(source, target, text)
+        self.register_transition(source, target, text, into=into)
 
     def register_action(
         self, source: type[Behaviour] | str, text: str, *wakers: type[WakerBehaviour]
     ) -> None:
         """While the source is active (`on`), or when it is left (`exit`), something is done."""
-        self._registered.append((source, None, text, wakers))
+        self._registered.append((source, None, text, wakers, ()))
 
     @property
     def current(self) -> Behaviour | None:
@@ -263,9 +278,9 @@ class CompositeBehaviour(Behaviour):
         return (*(Way(*pair) for pair in self._implied() if pair not in pairs), *registered)
 
     def _way(self, item: _Registered) -> Way:
-        source, target, text, _ = item
+        source, target, text, _, into = item
         label = self._label(source)
-        return Way(label, label if target is None else self._label(target), text, stays=target is None)
+        return Way(label, label if target is None else self._label(target), text, target is None, into)
 
     def _label(self, what: type[Behaviour] | str) -> str:
         if not isinstance(what, str):

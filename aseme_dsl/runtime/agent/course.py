@@ -17,7 +17,7 @@ def changed_states(plan: Plan, is_first: bool, inputs: Iterable[Input], outcome:
     for numbers in outcome.taken:
         last = plan.transitions[numbers[-1]]
         if last.kind == "external":
-            found.append(last.target)
+            found += last.targets
     return found
 
 
@@ -34,7 +34,7 @@ def place_of_failure(plan: Plan, outcome: Outcome) -> str:
 def cycle(plan: Plan, recent: Iterable[tuple[int, ...]]) -> str:
     """The transitions taken last and their activities, for messages about what does not end."""
     taken = list(recent)
-    states = [plan.by_label[plan.transitions[numbers[-1]].target] for numbers in taken]
+    states = [plan.by_label[label] for numbers in taken for label in plan.transitions[numbers[-1]].targets]
     activities = [f"{state.activity} ({state.at})" for state in states if state.activity]
     if activities:
         return "activities " + ", ".join(dict.fromkeys(activities)) + " again and again"

@@ -37,7 +37,9 @@ class Shape:
 
     def way(self, numbers: tuple[int, ...]) -> tuple[str, str, tuple[str, ...]]:
         """Of a transition, or the parts of a compound one: its scope, its target, and what is around that
-        inside the scope; all empty for one that leads nowhere."""
+        inside the scope; all empty for one that leads nowhere. The outermost comes first, and what leads into
+        several regions of the target last.
+        """
         found = self._ways.get(numbers)
         if found is None:
             found = self._ways[numbers] = self._way([self.plan.transitions[number] for number in numbers])
@@ -48,7 +50,8 @@ class Shape:
             return "", "", ()
         target = parts[-1].target
         scope = min((self._scope(part.source, part.target) for part in parts), key=len)
-        return scope, target, tuple(label for label in _around(target) if len(label) > len(scope))
+        led = dict.fromkeys(item for label in (target, *parts[-1].into) for item in _around(label))
+        return scope, target, tuple(label for label in led if len(label) > len(scope))
 
     def _scope(self, source: str, target: str) -> str:
         """The lowest OR state that holds source and target."""
@@ -76,7 +79,7 @@ class Shape:
         again: frozenset[str] | None = None,
         suspended: frozenset[str] = frozenset(),
     ) -> tuple[str, ...]:
-        """What is entered on the way to the last state of a path: inside it what was active there, else what
+        """What is entered on the way to the last states of a path: inside them what was active, else what
         begins there. A branch begins anew unless it is suspended."""
         if again is not None:
             return self._all_entered(path, again, suspended)

@@ -103,6 +103,13 @@ class Transition:
     """Whether the target is resumed where it was last left before it was complete."""
     text: str = ""
     at: str = ""
+    into: tuple[str, ...] = ()
+    """Of a target AND: the states, in regions of it, that are entered instead of the STARTs there."""
+
+    @property
+    def targets(self) -> tuple[str, ...]:
+        """The states that it names as its targets."""
+        return self.into or (self.target,)
 
 
 @dataclass(frozen=True, slots=True)
@@ -267,11 +274,32 @@ class Plan:
         state = self.by_label.get(".".join(first[:common]))
         return state is not None and state.type == "AND"
 
+    def entries_of(self, transition: Transition) -> tuple[str, ...]:
+        """The targets, and the regions of ANDs around them that are entered at their STARTs with them."""
+        targets = transition.targets
+        found = dict.fromkeys(targets)
+        for target in targets:
+            parts = target.split(".")
+            for end in range(1, len(parts)):
+                around = ".".join(parts[:end])
+                stays = transition.source.startswith(f"{around}.") and around != transition.target
+                if self.by_label[around].type == "AND" and not stays:
+                    found |= {
+                        region.label: None
+                        for region in self.children(around)
+                        if not any(is_in(other, region.label) for other in targets)
+                    }
+        return tuple(found)
+
     def way(self, numbers: Sequence[int]) -> str:
         """What a compound transition leads from and to, and where it is written, for messages."""
         first, last = self.transitions[numbers[0]], self.transitions[numbers[-1]]
-        source, target = (self.by_label[label] for label in (first.source, last.target))
-        return f"{self.called(source)} -> {self.called(target)} ({first.at})"
+        return f"{self.called(self.by_label[first.source])} -> {self.called_all(last.targets)} ({first.at})"
+
+    def called_all(self, labels: Sequence[str]) -> str:
+        """What people call the targets of a transition: of several, in parentheses."""
+        names = [self.called(self.by_label[label]) for label in labels]
+        return names[0] if len(names) == 1 else f"({', '.join(names)})"
 
     def called(self, state: State) -> str:
         """What people call a state: by what it is in the state around it where its name is only its label."""

@@ -336,7 +336,9 @@ def plan_record(plan: Plan) -> dict[str, object]:
     return {
         "states": [{"label": state.label, "name": state.name, "type": state.type} for state in plan.states],
         "transitions": [
-            {"source": way.source, "target": way.target, "text": way.text} for way in plan.transitions
+            {"source": way.source, "target": way.target, "text": way.text}
+            | ({"into": list(way.into)} if way.into else {})
+            for way in plan.transitions
         ],
     }
 

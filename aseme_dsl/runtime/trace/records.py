@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Required, TypeAlias, TypedDict, cast
+from typing import NotRequired, Required, TypeAlias, TypedDict, cast
 
 InputName: TypeAlias = list[str | int]
 """An input as a trace names it: the agent that caused it, and its number there."""
@@ -27,7 +27,14 @@ class Taken(TypedDict):
     transitions: list[int]
     source: str
     target: str
+    into: NotRequired[list[str]]
+    """The states in regions of the target that were entered instead of the STARTs there."""
     text: str
+
+
+def targets_of(taken: Taken) -> tuple[str, ...]:
+    """The states that a transition names as its targets."""
+    return tuple(taken.get("into", ())) or (taken["target"],)
 
 
 class Call(TypedDict):

@@ -462,9 +462,10 @@ def _way(plan: Plan, numbers: tuple[int, ...]) -> Taken:
     """A transition taken, or the parts of a compound one."""
     parts = [plan.transitions[number] for number in numbers]
     text = " ; ".join(part.text for part in parts if part.text)
-    return {
+    ends: Taken = {
         "transitions": list(numbers),
         "source": parts[0].source,
         "target": parts[-1].target,
         "text": text,
     }
+    return {**ends, "into": list(parts[-1].into)} if parts[-1].into else ends

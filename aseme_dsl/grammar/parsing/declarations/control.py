@@ -54,11 +54,12 @@ def _way(pieces: Pieces, node: nodes.Way) -> tree.Way | None:
 
 
 def labelled_way(pieces: Pieces, node: nodes.LabelledWay) -> tree.LabelledWay | None:
-    """A line with two labels; None if its expression is malformed."""
+    """A line with the labels of its ends; None if its expression is malformed."""
     expression = transition(pieces, node)
     if expression is None:
         return None
-    return tree.LabelledWay(pieces.name(node.source), pieces.name(node.target), expression, pieces.span(node))
+    targets = tuple(map(pieces.name, [node.target] if node.target else node.targets))
+    return tree.LabelledWay(pieces.name(node.source), targets, expression, pieces.span(node))
 
 
 def transition(
