@@ -44,11 +44,12 @@ from aseme_dsl.cli.shared import (
     given_options,
     leave_at_once,
     play_backend_option,
+    print_diagnostics,
     refuse,
     refuse_options,
     target_argument,
 )
-from aseme_dsl.diagnostics import has_errors
+from aseme_dsl.diagnostics import Diagnostic, has_errors
 from aseme_dsl.diagnostics.problems.running import (
     NoSuchSystem,
     OnOneSystem,
@@ -57,6 +58,7 @@ from aseme_dsl.diagnostics.problems.running import (
     WithFrom,
     WithQuiet,
 )
+from aseme_dsl.diagnostics.problems.settings import CertificateUnusable, Incomplete, SimulatedHere
 from aseme_dsl.project.settings.platform_settings import IN_PROCESS, PLATFORMS
 from aseme_dsl.records import dataclass
 
@@ -193,7 +195,7 @@ def _without_effect(options: _Options) -> list[OptionWithoutEffect]:
 def _prepared(options: _Options) -> tuple[Loaded, Path, Configuration, Choice, Path | Source | None] | int:
     """The system, its folder and its settings, and its file if that was built; or the exit code, after
     telling why."""
-    from aseme_dsl.project.building.build import choose
+    from aseme_dsl.project.building.build import activities_folder, choose
     from aseme_dsl.project.playing.play import NoSuchPlan, carried, in_version, load
     from aseme_dsl.project.settings.configuration import find_configuration, read_configuration
 
@@ -223,6 +225,8 @@ def _prepared(options: _Options) -> tuple[Loaded, Path, Configuration, Choice, P
     )
     if has_errors(problems):
         return refuse(problems, False, options.colour)
+    if incomplete := _incomplete(options, configuration):
+        return refuse(incomplete, False, options.colour)
     choice = choose(configuration, backends=options.backends, activities=options.activities)
     there = carried(folder, configuration, choice)
     check_choice(choice, options.backends, [role for item in there for role in item.charts])
@@ -233,7 +237,42 @@ def _prepared(options: _Options) -> tuple[Loaded, Path, Configuration, Choice, P
     loaded = systems[0]
     if options.version is not None:
         loaded = in_version(loaded, options.version, configuration)
+    _warn_of_simulated(options, loaded, activities_folder(folder, choice))
     return loaded, folder, configuration, choice, None
+
+
+def _incomplete(options: _Options, configuration: Configuration) -> list[Diagnostic]:
+    """What is missing or wrong of a bundle, or of the certificate that belongs to it."""
+    from aseme_dsl.project.deploying.start_check import bad_certificate, bundle_of, incomplete
+
+    folder = bundle_of(options.folder)
+    if folder is None:
+        return []
+    path = str(options.folder)
+    found = [Diagnostic(Incomplete(reason), None, path=path) for reason in incomplete(folder, options.robot)]
+    reason = None if found else bad_certificate(configuration, options.robot)
+    if reason is not None:
+        found.append(Diagnostic(CertificateUnusable(reason), None, path=path))
+    return found
+
+
+def _warn_of_simulated(options: _Options, loaded: Loaded, activities: Path) -> None:
+    """Warn of activities of the agent that have no code here: they only last for a while."""
+    from aseme_dsl.runtime.message.naming import module_name
+
+    role = dict(loaded.team).get(options.robot)
+    if options.supervised or role is None or role not in loaded.charts or loaded.code is not None:
+        return
+    if any(activities.glob("*_agent.py")):  # methods of its behaviours are the code
+        return
+    missing = [
+        info.name
+        for info in loaded.charts[role].PLAN.activities
+        if not (info.simulated or info.waits or (activities / f"{module_name(info.name)}.py").is_file())
+    ]
+    if missing:
+        problem = SimulatedHere(tuple(missing), str(activities))
+        print_diagnostics([Diagnostic(problem, None, path=str(options.folder))], options.colour)
 
 
 def _run(

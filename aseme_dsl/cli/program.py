@@ -46,6 +46,7 @@ COMMANDS = (
     "team",
     "key",
     "certificates",
+    "deploy",
     "trace",
     "match",
     "optimise",

@@ -40,6 +40,8 @@ _TABLE: dict[str, tuple[str, str]] = {
     "E036": ("error", "malformed network description"),
     "E037": ("error", "simulated network in real time"),
     "E038": ("error", "missing or unusable certificate"),
+    "E039": ("error", "incomplete or altered bundle"),
+    "E040": ("error", "failed deployment"),
     "W001": ("warning", "empty file"),
     "W002": ("warning", "obsolete generated file with manual edits"),
     "W003": ("warning", "diagram not drawn"),

@@ -236,6 +236,61 @@ class NoCertificateFiles(Problem):
     hint = "add it with `authority`, `certificate` and `key`"
 
 
+# ---- E039, E040: bundles -----------------------------------------------------------------------
+
+
+class Incomplete(Problem):
+    """`reason`: what of an unpacked bundle is missing, altered, or does not fit the machine."""
+
+    code = "E039"
+    reason: str
+    hint = "deploy the bundle again with `asemec deploy`"
+
+    @property
+    def message(self) -> str:
+        return self.reason
+
+
+class SimulatedHere(Problem):
+    """`names`: activities of an agent without code in the folder `activities`."""
+
+    code = "W201"
+    names: tuple[str, ...]
+    activities: str
+    hint = "`asemec deploy` makes a bundle with the code of all activities"
+
+    @property
+    def message(self) -> str:
+        return f"no code in {self.activities} for {', '.join(self.names)}: the agent simulates them"
+
+
+class NotDeployed(Problem):
+    """`reason`: what prevents a bundle, or says the host it was copied to."""
+
+    code = "E040"
+    reason: str
+
+    @property
+    def message(self) -> str:
+        return self.reason
+
+
+class HostUnknown(Problem):
+    """`known`: the agents and hosts that `hosts` names."""
+
+    code = "E040"
+    host: str
+    known: tuple[str, ...]
+
+    @property
+    def message(self) -> str:
+        return f"`hosts` names neither an agent nor an address `{self.host}`"
+
+    @property
+    def hint(self) -> str:
+        return f"it names {', '.join(self.known) or 'no agent'}"
+
+
 # ---- W010 to W014: comments to asemec ----------------------------------------------------------
 
 

@@ -290,6 +290,7 @@ def _keys(folder: Path) -> dict[str, _Convert | _Table | _Policy]:
                 "lease": _duration,
                 "access": path,
                 "control": path,
+                "include": _names,
                 "tls": _Table(
                     TlsFiles,
                     {"authority": path, "certificate": path, "key": path},

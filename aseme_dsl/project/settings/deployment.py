@@ -34,6 +34,14 @@ class TlsFiles:
     key: Path | None = None
 
 
+class HostsOfFile(dict[str, str]):
+    """Hosts that are in a file of their own."""
+
+    def __init__(self, path: Path, hosts: Mapping[str, str]) -> None:
+        super().__init__(hosts)
+        self.path = path
+
+
 @dataclass(frozen=True, slots=True)
 class Deployment:
     """What `[tool.asemec.deploy]` says. Without it, everything stays on this machine."""
@@ -52,6 +60,13 @@ class Deployment:
     """The file of the operators' keys (`runtime.operator_key`) that a robot accepts; ROBOT in its name stands
     for the robot's name. Without it, no operator controls robots over the network."""
     tls: TlsFiles | None = None
+    include: tuple[str, ...] = ()
+    """Patterns of further files of the project that a bundle needs."""
+
+    @property
+    def hosts_file(self) -> Path | None:
+        """The file that has the hosts, if it is not the pyproject.toml."""
+        return self.hosts.path if isinstance(self.hosts, HostsOfFile) else None
 
 
 def keys_of(deployment: Deployment | None, robot: str) -> Path | None:

@@ -1,0 +1,344 @@
+"""`asemec deploy`: what a bundle has, how it comes to a host, and what does not start there."""
+
+from __future__ import annotations
+
+import gzip
+import hashlib
+import io
+import json
+import os
+import shutil
+import subprocess
+import sys
+import tarfile
+from pathlib import Path
+
+import pytest
+
+from tests.cli.support import Done, asemec
+
+pytest.importorskip("cryptography")
+pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="hosts of robots run Linux")
+
+SYSTEM = """\
+system Field
+
+message Tick { int n }
+topic team { signal Tick queued }
+
+srm robot {
+  liveness { robot = Say~ }
+  activities { Say every 100ms writes team.signal.Tick }
+}
+
+team Two { ann, bob : robot }
+"""
+SAY = """\
+from aseme_dsl.runtime import Context
+from helping import number
+from monas.Field.messages import Tick
+
+
+class Say:
+    def execute(self, context: Context) -> None:
+        context.publish("team.signal.Tick", Tick(n=number()))
+"""
+PROJECT = """\
+[tool.asemec]
+files = ["field.aseme"]
+activities = "activities"
+
+[tool.asemec.deploy]
+hosts = { ann = "127.0.0.1:7601", bob = "10.9.9.9" }
+include = ["maps/*.json"]
+
+[tool.asemec.deploy.tls]
+authority = "certificates/authority.pem"
+certificate = "certificates/ROBOT.pem"
+key = "certificates/ROBOT.key"
+"""
+SSH = """#!{python}
+import os, subprocess, sys
+words = sys.argv[1:]
+open({log!r}, "a").write(repr(words) + "\\n")
+host, command = words[words.index("--") + 1:]
+if host.endswith("10.9.9.9"):
+    sys.exit("ssh: connect to host 10.9.9.9 port 22: No route to host")
+sys.exit(subprocess.run(["sh", "-c", command], cwd={home!r}).returncode)
+"""
+SCP = """#!{python}
+import shutil, sys
+words = sys.argv[1:]
+open({log!r}, "a").write(repr(words) + "\\n")
+*files, place = words[words.index("--") + 1:]
+for file in files:
+    shutil.copy2(file, place.partition(":")[2])
+"""
+
+
+@pytest.fixture
+def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A project with certificates, and a host `127.0.0.1` whose home is the folder `home` beside it."""
+    folder = tmp_path / "project"
+    for name, text in {
+        "pyproject.toml": PROJECT,
+        "field.aseme": SYSTEM,
+        "activities/say.py": SAY,
+        "helping.py": "def number() -> int:\n    return 1\n",
+        "maps/hall.json": "{}",
+    }.items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text)
+    monkeypatch.chdir(folder)
+    assert asemec("certificates", "make").code == 0
+    tools = tmp_path / "tools"
+    tools.mkdir()
+    (tmp_path / "home").mkdir()
+    for name, script in (("ssh", SSH), ("scp", SCP)):
+        text = script.format(python=sys.executable, log=str(tmp_path / "log"), home=str(tmp_path / "home"))
+        (tools / name).write_text(text)
+        (tools / name).chmod(0o755)
+    monkeypatch.setenv(
+        "PATH", os.pathsep.join([str(tools), str(Path(sys.executable).parent), os.environ["PATH"]])
+    )
+    return folder
+
+
+def archive_in(folder: Path) -> Path:
+    (found,) = folder.glob("*.tar.gz")
+    return found
+
+
+def contents(archive: Path) -> dict[str, bytes]:
+    with tarfile.open(archive) as file:
+        return {member.name: file.extractfile(member).read() for member in file}  # type: ignore[union-attr]
+
+
+def installed(project: Path) -> Path:
+    """The folder of the team on the host."""
+    return project.parent / "home" / "asemec" / "Field"
+
+
+def started(folder: Path, agent: str = "ann", *more: str) -> Done:
+    done = subprocess.run(
+        ["./start", agent, *more],
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        timeout=120,
+        stdin=subprocess.DEVNULL,
+    )
+    return Done(done.returncode, done.stdout, done.stderr)
+
+
+def test_a_bundle_is_complete_has_no_secret_and_is_the_same_each_time(project: Path) -> None:
+    done = asemec("deploy")
+    assert done.code == 0, done.err
+    archive = archive_in(project / "deploy")
+    first = archive.read_bytes()
+    there = contents(archive)
+    assert {"pyproject.toml", "field.aseme", "helping.py", "maps/hall.json", "start"} < set(there)
+    assert {"activities/say.py", "requirements.txt", "asemec.service", "install.py"} < set(there)
+    assert not [name for name in there if "certificates" in name or name.endswith((".key", ".svg", ".gz"))]
+    secrets = [path.read_bytes() for path in (project / "certificates").rglob("*.key")]
+    assert len(secrets) == 4
+    assert not any(secret in gzip.decompress(first) for secret in secrets)
+    assert "Type=notify" in (unit := there["asemec.service"].decode()) and "WatchdogSec=" in unit
+    beside = {path.name: path.stat().st_mode & 0o777 for path in (project / "deploy").glob("*.private.tar")}
+    assert beside == {"ann.private.tar": 0o600, "bob.private.tar": 0o600}
+    with tarfile.open(project / "deploy" / "ann.private.tar") as file:
+        names = file.getnames()
+    assert names == ["certificates/ann.key", "certificates/ann.pem", "certificates/authority.pem"]
+    shutil.rmtree(project / "out")
+    assert asemec("deploy").code == 0
+    assert archive_in(project / "deploy").read_bytes() == first
+    (project / "helping.py").write_text("def number() -> int:\n    return 2\n")
+    assert asemec("deploy", "-o", "second").code == 0
+    assert archive_in(project / "second").name != archive.name
+
+
+def test_a_bundle_is_copied_activated_and_rolled_back(project: Path) -> None:
+    done = asemec("deploy", "pi@ann")
+    assert done.code == 0, done.err
+    to = installed(project)
+    first = (to / "current").readlink().name
+    assert f"pi@127.0.0.1 (ann): active: {first}" in done.out
+    assert {path.name for path in to.iterdir()} == {"current", "versions", "private"}  # nothing is left
+    key = to / "current" / "certificates" / "ann.key"
+    assert key.read_bytes() == (project / "certificates" / "ann.key").read_bytes()
+    assert key.stat().st_mode & 0o777 == 0o600
+    assert not (to / "current" / "certificates" / "bob.key").exists()
+    done = asemec("deploy", "127.0.0.1", "--rollback")
+    assert done.code == 1 and "has no version before the active one" in done.err
+    (project / "helping.py").write_text("def number() -> int:\n    return 2\n")
+    assert asemec("certificates", "renew", "ann").code == 0
+    assert asemec("deploy", "ann").code == 0
+    second = (to / "current").readlink().name
+    assert second != first and (to / "previous").readlink().name == first
+    done = asemec("deploy", "ann", "--rollback")
+    assert done.code == 0 and f"active: {first}" in done.out
+    assert (to / "current").readlink().name == first and (to / "previous").readlink().name == second
+    # The version before has the certificate of today.
+    assert key.read_bytes() == (project / "certificates" / "ann.key").read_bytes()
+    assert "return 1" in (to / "current" / "helping.py").read_text()
+    for line in (project.parent / "log").read_text().splitlines():
+        assert line.startswith("['-")  # options, then `--`, then names
+
+
+def test_a_host_that_cannot_be_reached_fails_alone(project: Path) -> None:
+    done = asemec("deploy", "--all")
+    assert done.code == 1
+    assert "127.0.0.1 (ann): active: Field-" in done.out
+    assert "error[E040]: 10.9.9.9: ssh: connect to host 10.9.9.9 port 22: No route to host" in done.err
+
+
+@pytest.mark.parametrize(
+    ("words", "code", "said"),
+    [
+        (("nowhere",), 1, "`hosts` names neither an agent nor an address `nowhere`"),
+        (("--", "-oProxyCommand=x@ann"), 1, "is not a destination for ssh"),
+        (("--user", "-oProxyCommand=touch", "ann"), 1, "is not a destination for ssh"),
+        (("--to", "x; touch y", "ann"), 2, "only letters, digits"),
+        (("--rollback",), 2, "--rollback needs a HOST, or --all"),
+    ],
+)
+def test_what_does_not_fit_is_refused(project: Path, words: tuple[str, ...], code: int, said: str) -> None:
+    done = asemec("deploy", *words)
+    assert done.code == code and said in done.err
+    assert not (project.parent / "log").exists()
+
+
+def test_a_secret_or_a_file_from_elsewhere_is_in_no_bundle(project: Path) -> None:
+    text = PROJECT.replace("maps/*.json", "certificates/private/*")
+    (project / "pyproject.toml").write_text(text)
+    done = asemec("deploy")
+    assert done.code == 1 and "authority.key has a private key, which no bundle may have" in done.err
+    (project / "pyproject.toml").write_text(PROJECT.replace('"certificates/ROBOT.key"', '"../ROBOT.key"'))
+    done = asemec("deploy")
+    assert done.code == 1 and "is outside of the project" in done.err
+    (project / "pyproject.toml").write_text(PROJECT.replace("maps/*.json", "maps/*.txt"))
+    assert "no file is called maps/*.txt" in asemec("deploy").err
+    assert not (project / "deploy").exists()
+
+
+def test_an_agent_starts_from_its_bundle(project: Path) -> None:
+    pytest.importorskip("zenoh")
+    assert asemec("deploy", "ann").code == 0
+    folder = installed(project) / "current"
+    done = asemec("node", "ann", "--from", folder / "out", "--for", "1s", cwd=project.parent)
+    assert done.code == 0, done.err
+    assert "simulate" not in done.out + done.err
+    trace = gzip.decompress((folder / "out" / "trace.ann.jsonl.gz").read_bytes()).decode()
+    assert '"n":1' in trace.replace(" ", "")  # its own code has run
+
+
+BREAK = {
+    "activities/say.py": "activities/say.py is missing",
+    "pyproject.toml": "pyproject.toml is missing",
+    "helping.py": "helping.py is missing",
+    "out/monas/Field/messages.py": "out/monas/Field/messages.py is missing",
+    "certificates/ann.key": "certificates/ann.key is missing: it is beside the bundle",
+    "certificates/authority.pem": "certificates/authority.pem is missing: it is beside the bundle",
+}
+
+
+def test_of_an_incomplete_or_altered_bundle_nothing_starts(project: Path) -> None:
+    assert asemec("deploy", "ann").code == 0
+    folder = installed(project) / "current"
+    for name, reason in BREAK.items():
+        content = (folder / name).read_bytes()
+        (folder / name).unlink()
+        done = started(folder)
+        assert done.code == 1 and "error[E039]" in done.err and reason in done.err, name
+        (folder / name).write_bytes(content)
+    (folder / "activities" / "say.py").write_text(SAY + "# changed\n")
+    assert "activities/say.py has been altered" in started(folder).err
+    (folder / "activities" / "say.py").write_text(SAY)
+    (folder / "activities" / "more.py").write_text("")
+    assert "activities/more.py has been added" in started(folder).err
+    (folder / "activities" / "more.py").unlink()
+    done = started(folder, "bob")
+    assert done.code == 1 and "certificates/bob.key is missing" in done.err
+    # Only the output folder, as O4 had it.
+    shutil.copytree(folder / "out", project.parent / "alone")
+    done = asemec("node", "ann", "--from", project.parent / "alone")
+    assert done.code == 1 and "error[E039]" in done.err
+
+
+def test_a_certificate_that_the_others_would_refuse_is_refused_at_the_start(project: Path) -> None:
+    assert asemec("deploy", "ann").code == 0
+    folder = installed(project) / "current" / "certificates"
+    good = {path.name: path.read_bytes() for path in folder.iterdir()}
+    (folder / "ann.pem").write_bytes((project / "certificates" / "bob.pem").read_bytes())
+    done = started(folder.parent)
+    assert done.code == 1 and "error[E038]" in done.err and "do not fit" in done.err
+    (folder / "ann.key").write_bytes((project / "certificates" / "bob.key").read_bytes())
+    assert "is for bob, not for ann" in started(folder.parent).err
+    shutil.rmtree(project / "certificates")
+    asemec("certificates", "make")
+    for name in ("ann.pem", "ann.key"):
+        (folder / name).write_bytes((project / "certificates" / name).read_bytes())
+    assert "certificate" in (said := started(folder.parent).err) and "error[E038]" in said
+    for name, content in good.items():
+        (folder / name).write_bytes(content)
+
+
+def test_requirements_that_are_not_met_are_reported(project: Path) -> None:
+    (project / "requirements.txt").write_text("click==1.0\nnever-there==2.0 --hash=sha256:00\n")
+    assert asemec("deploy", "ann").code == 0
+    said = started(installed(project) / "current").err
+    assert "the Python package never-there 2.0 is not installed" in said
+    assert "the Python package click has version" in said
+
+
+def test_a_build_without_its_activities_warns(project: Path) -> None:
+    pytest.importorskip("zenoh")
+    assert asemec("build").code == 0
+    shutil.copytree(project / "out", project.parent / "alone")
+    done = asemec("node", "ann", "--from", project.parent / "alone", "--for", "300ms")
+    assert "warning[W201]" in done.err and "for Say: the agent simulates them" in done.err
+
+
+@pytest.mark.parametrize("name", ["../evil", "/tmp/evil", "a/../../evil", "link"])
+def test_an_archive_with_a_path_that_leads_out_is_refused(project: Path, name: str) -> None:
+    from aseme_dsl.project.deploying import install
+
+    out = io.BytesIO()
+    with tarfile.open(fileobj=out, mode="w:gz") as file:
+        member = tarfile.TarInfo(name)
+        if name == "link":
+            member.type, member.linkname = tarfile.SYMTYPE, "/etc/passwd"
+        file.addfile(member, io.BytesIO(b""))
+    (project / "bad.tar.gz").write_bytes(out.getvalue())
+    with pytest.raises(install.InstallError, match="has no place in a bundle"):
+        install.install(project / "bad.tar.gz", project / "to")
+    assert list((project / "to" / "versions").iterdir()) == []
+
+
+def test_a_damaged_archive_leaves_the_active_version(project: Path) -> None:
+    assert asemec("deploy", "ann").code == 0
+    to = installed(project)
+    before = (to / "current").readlink()
+    archive = archive_in(project / "deploy")
+    there = contents(archive)
+    there["helping.py"] = b"import os\n"
+    out = io.BytesIO()
+    with tarfile.open(fileobj=out, mode="w:gz") as file:
+        for name, content in there.items():
+            member = tarfile.TarInfo(name)
+            member.size = len(content)
+            file.addfile(member, io.BytesIO(content))
+    for number, content in enumerate((out.getvalue(), archive.read_bytes()[:-200], b"")):
+        (project / f"bad{number}.tar.gz").write_bytes(content)
+        words = ["install", str(project / f"bad{number}.tar.gz"), "--to", str(to)]
+        command = [sys.executable, str(to / "current" / "install.py"), *words]
+        done = subprocess.run(command, capture_output=True, text=True)
+        assert done.returncode == 1 and "install.py: " in done.stderr and "Traceback" not in done.stderr
+        assert (to / "current").readlink() == before and len(list((to / "versions").iterdir())) == 1
+
+
+def test_the_list_names_every_file_with_its_hash(project: Path) -> None:
+    assert asemec("deploy").code == 0
+    there = contents(archive_in(project / "deploy"))
+    listed = json.loads(there.pop("out/bundle.json"))
+    assert listed["files"] == {name: hashlib.sha256(content).hexdigest() for name, content in there.items()}
