@@ -192,8 +192,33 @@ def entered(
                 return Goal(target)
             crossed, there = outer, region_in(target, outer)
         if not is_begun_at(there, target, known):
-            raise Unreachable("it leads from one region of a parallel state into another")
+            return _again(crossed, target, known)
         target = crossed
+
+
+def _again(parallel: Node, target: Node, known: dict[str, Node]) -> Goal:
+    """An AND that is left from inside and entered again, with a target in one of its regions.
+
+    Another region is named, too, so that it is the AND that is led to.
+    """
+    for region in inner(parallel):
+        first = None if is_inside(target, region) else _begun(region, known)
+        if first is not None:
+            return Goal(parallel, (first, target))
+    raise Unreachable("it leads from one region of a parallel state into another")
+
+
+def _begun(region: Node, known: dict[str, Node]) -> Node | None:
+    """The state in a region that is entered with it, if nothing is done on the way."""
+    if is_wrapped(region):
+        return None if region.entry else region
+    first = known[region.initial[0]] if region.initial else first_of(region)
+    plain = not region.initial_does and len(region.initial) < 2
+    return first if plain and first is not None and first.parent is region and _is_active(first) else None
+
+
+def _is_active(node: Node) -> bool:
+    return node.shape in (Shape.STATE, Shape.PARALLEL)
 
 
 def _into_regions(source: Node, targets: tuple[Node, ...]) -> Goal:

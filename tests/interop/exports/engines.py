@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import re
 import subprocess
 import tempfile
@@ -15,6 +16,7 @@ from aseme_dsl.interop.export.sismic import sismic
 from aseme_dsl.interop.export.xstate import xstate
 from tests.interop.exports.playing import Recording, Step
 from tests.support.node import packages
+from tests.support.other_python import python_with
 
 _LATER = re.compile(r"\s*<(?:send [^>]*delay(?:expr)?=|cancel )[^>]*/>")
 
@@ -86,6 +88,26 @@ def job(engine: str, recording: Recording) -> dict[str, Any]:
         return {"engine": engine, "document": without_clock(scxml(recording.machine)), "steps": steps}
     made = xstate(recording.machine, "chart.json")
     return {"engine": engine, "config": made.config, "module": made.module, "steps": steps}
+
+
+def on_qt(recordings: Sequence[Recording]) -> list[list[tuple[str, ...]]]:
+    """What was active after the start and each step, in Qt's engine of SCXML (PyPI: PySide6)."""
+    jobs = [job("scion", recording) for recording in recordings]
+    script = Path(__file__).with_name("qt.py")
+    done = subprocess.run(
+        [str(python_with("PySide6-Addons>=6.8,<7")), str(script)],
+        input=json.dumps(jobs),
+        capture_output=True,
+        text=True,
+        timeout=1000,
+        check=True,
+        env=os.environ | {"QT_QPA_PLATFORM": "offscreen"},
+    )
+    found = []
+    for played in json.loads(done.stdout):
+        assert "error" not in played, played["error"]
+        found.append([tuple(ids) for ids in played["active"]])
+    return found
 
 
 def on_node(jobs: Sequence[dict[str, Any]]) -> list[list[tuple[str, ...]]]:

@@ -17,7 +17,14 @@ import pytest
 from aseme_dsl.diagnostics.problems.exporting import Foreign
 from aseme_dsl.interop.export.sismic import limits
 from aseme_dsl.runtime.chart import chart
-from tests.interop.exports.engines import differences, job, on_node, python_statemachine, sismic_engine
+from tests.interop.exports.engines import (
+    differences,
+    job,
+    on_node,
+    on_qt,
+    python_statemachine,
+    sismic_engine,
+)
 from tests.interop.exports.playing import Recorder, Recording
 from tests.interop.exports.taming import tamed
 from tests.oracle import interpreter
@@ -27,6 +34,7 @@ from tests.oracle.examples import ROUNDS, forget
 from tests.support.generated import generate, imported, system_of
 
 CHARTS = int(os.environ.get("EXPORTED_CHARTS", "30"))
+SECOND_LANE = "EXPORTED_CHARTS" in os.environ
 FIRST = int(os.environ.get("ORACLE_FIRST", "0"))
 ROOT = Path(__file__).parents[3]
 
@@ -112,6 +120,12 @@ def test_sismic_does_the_same(recorded: Recorded) -> None:
     able = tuple(pair for pair in recorded() if not any(limits(pair[1].chart)))
     compare([sismic_engine(recording) for _, recording in able], able)
     assert 2 * len(able) > len(recorded())
+
+
+@RECORDED
+@pytest.mark.skipif(not SECOND_LANE, reason="NOT TRIED here, but in the second lane")
+def test_qt_does_the_same(recorded: Recorded) -> None:
+    compare(on_qt([recording for _, recording in recorded()]), recorded())
 
 
 def test_a_chart_that_means_something_else_is_noticed() -> None:

@@ -278,3 +278,25 @@ def test_targets_that_cannot_be_active_together(targets: str) -> None:
         f'<state id="a"><transition event="go" target="{targets}"/></state>{REGIONS}<state id="z"/>'
     )
     assert any("cannot be active together" in row.now for row in imported("m.scxml", text).rows)
+
+
+@pytest.mark.parametrize(
+    ("source", "target", "expected", "line"),
+    [
+        ("q1", "r2", [{"q1"}, {"r2"}, {"s"}], "0.2.1.2 -> (0.2.1.2, 0.2.2.3) : go"),
+        ("q1", "r", [{"q1"}, {"r1"}, {"s"}], "0.2.1.2 -> 0.2 : go"),
+        ("q", "q2", [{"q2"}, {"r1"}, {"s"}], "0.2.1 -> (0.2.1.3, 0.2.2.2) : go"),
+        ("s", "r2", [{"q1"}, {"r2"}, {"s"}], "0.2.3.2 -> (0.2.1.2, 0.2.2.3) : go"),
+    ],
+)
+def test_from_one_region_into_another_all_are_left(
+    source: str, target: str, expected: list[set[str]], line: str
+) -> None:
+    way = f'<transition event="go" target="{target}"/>'
+    q, r, s = ('<state id="q">', '<state id="r">', '<state id="s">')
+    text = (
+        f'<parallel id="p">{q}<state id="q1"></state><state id="q2"/></state>'
+        f'{r}<state id="r1"/><state id="r2"/></state>{s}</state></parallel>'
+    ).replace(f'<state id="{source}">', f'<state id="{source}">{way}')
+    assert line in lines(machine(text))
+    assert active(machine(text), "go")[-3:] == expected
