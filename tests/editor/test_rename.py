@@ -461,3 +461,37 @@ srm porter {
 def test_what_a_participant_plays_is_renamed(marked: str, new: str, expected: tuple[str, ...]) -> None:
     text = renamed(NESTED, marked, new)
     assert [part for part in expected if part not in text] == []
+
+
+TARGETS = """system T
+statechart r {
+  state 0 OR  state 0.1 START  state 0.2 AND
+  state 0.2.1 OR  state 0.2.1.1 START  state 0.2.1.2 BASIC A
+  state 0.2.2 OR  state 0.2.2.1 START  state 0.2.2.2 BASIC B
+  0.1 -> (0.2.1.2, 0.2.2.2) :
+  0.2.1.1 -> 0.2.1.2 :
+  0.2.2.1 -> 0.2.2.2 :
+}
+"""
+
+
+@pytest.mark.parametrize(("marked", "name"), [("(^0.2.1.2", "A"), (", ^0.2.2.2)", "B")])
+def test_each_of_several_targets_leads_to_its_state(marked: str, name: str) -> None:
+    workspace = Workspace()
+    workspace.open(PATH, TARGETS)
+    view = workspace.view(PATH)
+    assert view is not None
+    before, _, after = marked.partition("^")
+    place = TARGETS.index(before + after) + len(before)
+    label = after.rstrip(")")
+    found = hover(view, place)
+    assert found is not None and f"State `{label}`: BASIC `{name}`" in found.text
+    (declared,) = definition(view, place)
+    assert declared.span.text == label and declared.span.line == (4 if name == "A" else 5)
+    assert [use.span.line for use in references(view, place, PythonFolders(()))] == [
+        declared.span.line,
+        6,
+        7 if name == "A" else 8,
+    ]
+    assert "a label is the place of a state" in renamed(TARGETS, marked, "0.2.7")
+    assert "BASIC C" in renamed(TARGETS, f"BASIC ^{name}", "C")

@@ -30,7 +30,7 @@ _FIXED = {
     Kind.TYPE: "it is a type of the language",
     Kind.PERFORMATIVE: "it is a communicative act of FIPA",
     Kind.LIBRARY: "it is the name of a file",
-    Kind.STATE: "labels follow from the formulas",
+    Kind.STATE: "a label is the place of a state among the others",
 }
 
 _SPECIFIES = (Kind.USE_CASE, Kind.FORMULA, Kind.ACTIVITY, Kind.PROTOCOL, Kind.CAPABILITY)

@@ -1,6 +1,6 @@
 """Qt's own engine of SCXML plays machines; run by a Python that has PySide6, which the project does not need.
 
-In: `[{"document": …, "steps": [{"event": …, "data": …}]}]`, on standard input. Out: the active states of every
+Standard input: `[{"document": …, "steps": [{"event": …, "data": …}]}]`. Output: the active states of every
 machine, after the start and after each step.
 """
 
