@@ -74,10 +74,10 @@ def threads(robots: int) -> Iterator[None]:
     """Inside, zenoh begins with so many threads that no link of a team of so many waits for another one.
 
     When zenoh closes a TCP connection to a robot that does not acknowledge any more, its thread waits for
-    10 s in the system call (SO_LINGER). All links of that thread wait with it. By default zenoh has one or two
-    threads for all links (eclipse-zenoh/zenoh, issues 2718 and 1101). A link that breaks again and again is
-    closed up to `CLOSINGS` times in these 10 s. Zenoh takes the number from its environment when it is first
-    used in a process. A value that the user has set stays.
+    10 s in the system call (SO_LINGER). All links of that thread wait with it. By default zenoh has one or
+    two threads for all links (eclipse-zenoh/zenoh, issues 2718 and 1101). A link that breaks again and again
+    is closed up to `CLOSINGS` times in these 10 s. Zenoh takes the number from its environment when it is
+    first used in a process. A value that the user has set stays.
     """
     if _RUNTIME in os.environ:
         yield
