@@ -65,7 +65,10 @@ from aseme_dsl.records import dataclass
 if TYPE_CHECKING:
     from collections.abc import Callable, Iterator, Sequence
 
+    from aseme_dsl.cli.telling import Telling
     from aseme_dsl.project.building.build import Choice
+    from aseme_dsl.project.operating.endpoint import Address
+    from aseme_dsl.project.operating.json_log import JsonLog
     from aseme_dsl.project.playing.play import Played, Request
     from aseme_dsl.project.playing.seen import Seen
     from aseme_dsl.project.settings.configuration import Configuration
@@ -97,6 +100,9 @@ class _Options:
     backends: tuple[str, ...]
     bodies: dict[str, str]
     control: Path | None
+    health: Address | None
+    otel: bool
+    log: str
     strict: bool
     quiet: bool
     verbose: bool
@@ -111,6 +117,15 @@ class _Options:
     def folder(self) -> Path:
         """What is given to run: an output folder, or what is to be built."""
         return self.source or Path(self.target)
+
+
+def _address(context: click.Context, parameter: click.Parameter, value: str | None) -> Address | None:
+    from aseme_dsl.project.operating.endpoint import AddressError, address_of
+
+    try:
+        return None if value is None else address_of(value)
+    except AddressError as problem:
+        raise click.BadParameter(f"{problem}.") from problem
 
 
 @click.command(
@@ -143,6 +158,20 @@ class _Options:
     metavar="FILE",
     help="Keys of the operators who may control the agent over the network."
     "  [default: the project's, else none]",
+)
+@click.option(
+    "--health",
+    metavar="ADDRESS",
+    callback=_address,
+    help="Serve /health, /alive and /metrics (for Prometheus) on unix:PATH, or on 127.0.0.1:PORT.",
+)
+@click.option("--otel", is_flag=True, help="Export metrics by OpenTelemetry. Needs the extra `otel`.")
+@click.option(
+    "--log",
+    type=click.Choice(["text", "json"]),
+    default="text",
+    show_default=True,
+    help="Format of the lines on standard output; json: one object a line.",
 )
 @click.option("--strict", is_flag=True, help="End the run when the agent breaks a property or a clause.")
 @telling_options
@@ -215,7 +244,7 @@ def _prepared(options: _Options) -> tuple[Loaded, Path, Configuration, Choice, P
             return built
         report, compiled, choice, bare = built
         configuration = compiled.configuration
-        if not options.quiet:
+        if not options.quiet and options.log == "text":
             for line in lines_without_code(bare, options.target, options.output):
                 click.echo(line)
         loaded = load(report.folder, report.system, configuration, choice)
@@ -293,7 +322,37 @@ def _run(
     if options.control is not None:
         deploy = replace(configuration.deploy or Deployment(), control=options.control)
         configuration = replace(configuration, deploy=deploy)
-    telling = telling_of(
+    telling = _telling(options, loaded, configuration)
+    watch = _watch(options, loaded, root, configuration, telling)
+    seen = None if options.watched is None else Seen(options.watched, lambda text: _say(SEEN + text))
+    with ending_left_processes():
+        played = play(
+            loaded,
+            activities_folder(folder, choice),
+            configuration,
+            _request(options, folder, configuration, seen, telling),
+            tell=telling.line,
+            listeners=(telling,),
+            watch=watch or seen,
+        )
+    telling.end()
+    watched = () if watch is None else watch.end()
+    _print(options, played, watched, telling)
+    code = exit_code(played.result, (), INTERRUPTED)
+    if code == 0 and any(item.verdict == "broken" for item in watched):
+        code = 1
+    if played.result.left:
+        leave_at_once(code)
+    return code
+
+
+def _telling(options: _Options, loaded: Loaded, configuration: Configuration) -> Telling | JsonLog:
+    """What prints the lines of the run."""
+    if options.log == "json":
+        from aseme_dsl.project.operating.json_log import JsonLog
+
+        return JsonLog(activities=not options.quiet)
+    return telling_of(
         loaded,
         configuration,
         options.quiet,
@@ -303,27 +362,6 @@ def _run(
         progress=False,
         stream=sys.stdout,
     )
-    watch = _watch(options, loaded, root, configuration)
-    seen = None if options.watched is None else Seen(options.watched, lambda text: _say(SEEN + text))
-    with ending_left_processes():
-        played = play(
-            loaded,
-            activities_folder(folder, choice),
-            configuration,
-            _request(options, folder, configuration, seen),
-            tell=telling.line,
-            listeners=(telling,),
-            watch=watch or seen,
-        )
-    telling.end()
-    watched = () if watch is None else watch.end()
-    _print(options, played, watched)
-    code = exit_code(played.result, (), INTERRUPTED)
-    if code == 0 and any(item.verdict == "broken" for item in watched):
-        code = 1
-    if played.result.left:
-        leave_at_once(code)
-    return code
 
 
 def _watch(
@@ -331,6 +369,7 @@ def _watch(
     loaded: Loaded,
     root: Path | Source | None,
     configuration: Configuration,
+    telling: Telling | JsonLog,
 ) -> Watch | None:
     """What watches the properties and clauses that this agent decides; our supervisor watches all of them."""
     from aseme_dsl.play.scenario import Refused as NotWatched
@@ -341,7 +380,7 @@ def _watch(
 
     def tell(line: str) -> None:
         if not options.quiet:
-            click.echo(line)
+            _inform(telling, line)
 
     script = script_of(loaded, root, configuration, dict(loaded.team))
     if isinstance(script, NotWatched):
@@ -352,8 +391,15 @@ def _watch(
     return watch_of_agent(script, options.robot, tell, options.strict, loaded.plans)
 
 
-def _request(options: _Options, folder: Path, configuration: Configuration, seen: Seen | None) -> Request:
+def _request(
+    options: _Options,
+    folder: Path,
+    configuration: Configuration,
+    seen: Seen | None,
+    telling: Telling | JsonLog,
+) -> Request:
     """How the agent is to be run."""
+    from aseme_dsl.project.operating.service import served
     from aseme_dsl.project.playing.play import Request
     from aseme_dsl.project.playing.supervisor import WORLD
     from aseme_dsl.runtime.trace.trace_files import name_for
@@ -371,31 +417,44 @@ def _request(options: _Options, folder: Path, configuration: Configuration, seen
         platform=options.platform or usual,
         robot=options.robot,
         world_at=(world_at, bytes.fromhex(os.environ.get(WORLD, ""))) if world_at is not None else None,
+        serve=lambda team, recent: served(
+            team, recent, options.health, options.otel, lambda text: _inform(telling, text)
+        ),
         begin=_told_to_begin(seen) if options.supervised else lambda: None,
         changed=_tell_change if options.supervised else None,
     )
 
 
-def _print(options: _Options, played: Played, watched: Sequence[Watched]) -> None:
+def _inform(telling: Telling | JsonLog, text: str, wrong: bool = False) -> None:
+    """Print a line that is not of the run."""
+    from aseme_dsl.project.operating.json_log import JsonLog
+
+    if isinstance(telling, JsonLog):
+        telling.warn(text) if wrong else telling.line(text)
+    else:
+        click.echo(text, err=wrong)
+
+
+def _print(options: _Options, played: Played, watched: Sequence[Watched], telling: Telling | JsonLog) -> None:
     """How the agent has ended, and what is left behind."""
     result = played.result
     for agent in result.agents:
         if agent.failure is not None:
             place = f" ({agent.at})" if agent.at else ""
-            click.echo(f"{agent.name} ({agent.role}) failed: {agent.failure}{place}", err=True)
+            _inform(telling, f"{agent.name} ({agent.role}) failed: {agent.failure}{place}", True)
     if result.reason == "replaced":
-        click.echo(f"{options.robot} stopped: a newer process runs it", err=True)
+        _inform(telling, f"{options.robot} stopped: a newer process runs it", True)
     if result.trace_error is not None:
-        click.echo(result.trace_error, err=True)
+        _inform(telling, result.trace_error, True)
     elif not options.supervised:
-        click.echo(f"stopped after {result.end_ns / 1e9:g} s\n  trace: {played.trace}")
+        _inform(telling, f"stopped after {result.end_ns / 1e9:g} s\n  trace: {played.trace}")
     lines = list(end_lines(result))
     if options.supervised:
         agents = [asdict(agent) for agent in result.agents]
         _tell_end({"result": {"agents": agents, **end_data(result)}, "lines": lines})
     else:
         for line in (*lines, *watched_lines(watched)):
-            click.echo(f"  {line}")
+            _inform(telling, f"  {line}")
 
 
 def _told_to_begin(seen: Seen | None) -> Callable[[], int | None]:

@@ -654,5 +654,6 @@ _REASONS = {
     "time": "time limit reached",
     "idle": "no pending inputs, timers or activities",
     "interrupted": "interrupted",
+    "terminated": "terminated by SIGTERM",
 }
 """Why a run stopped before its agents completed."""

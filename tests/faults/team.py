@@ -167,7 +167,7 @@ class Started:
 
         self.wait_for(all_heard)
 
-    def end(self, number: int = signal.SIGTERM) -> int:
+    def end(self, number: int = signal.SIGINT) -> int:
         """End it, and wait for that."""
         if self.process.poll() is None:
             self.process.send_signal(number)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import inspect
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from contextlib import contextmanager, nullcontext, suppress
+from contextlib import AbstractContextManager, contextmanager, nullcontext, suppress
 from dataclasses import field, fields, replace
 from numbers import Integral
 from pathlib import Path
@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from aseme_dsl.project.settings.deployment import Deployment
     from aseme_dsl.runtime.chart.plan import State
     from aseme_dsl.runtime.control.control import Changed
+    from aseme_dsl.runtime.control.recent import Recent
     from aseme_dsl.runtime.driver.real_time import RealTime
     from aseme_dsl.runtime.team.network import Network
     from aseme_dsl.runtime.team.team import RunResult, Team
@@ -100,6 +101,8 @@ class Request:
     begin: Callable[[], int | None] = lambda: None
     """Called when everything is there; gives the moment at which the run has begun, if it is not now (ns of
     the machine's monotonic clock)."""
+    serve: Callable[[Team, Recent], AbstractContextManager[None]] = lambda team, recent: nullcontext()
+    """What is open while a robot runs: for the machine that it runs on. May raise PlayError."""
     changed: Callable[[Changed], None] | None = None
     """Told of each swap of a robot that is done."""
     state: Path | None = None
@@ -471,7 +474,10 @@ def _play_robot(
                 carried=lambda: others(loaded, activities, configuration),
                 state_directory=_state(request, project),
             )
-            with operable(team, loaded, activities, request.changed, keys, recent):
+            with (
+                operable(team, loaded, activities, request.changed, keys, recent),
+                request.serve(team, recent),
+            ):
                 result = team.run()
         except (TeamError, ActivityError, TransportError, PlatformError) as problem:
             raise PlayError(NotPlayed(str(problem))) from problem

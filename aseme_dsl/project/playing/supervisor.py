@@ -126,7 +126,7 @@ class RobotEnd:
 
 @dataclass(frozen=True, slots=True)
 class Supervised:
-    """How a run ended: "finished", "interrupted", "the world is over", or what went wrong."""
+    """How a run ended: "finished", "interrupted", "terminated", "the world is over", or what went wrong."""
 
     reason: str
     robots: tuple[RobotEnd, ...]
@@ -238,7 +238,7 @@ class _Run:
     def run(self) -> Supervised:
         """Start all processes, and watch them to the end."""
         over = False
-        with _signals(lambda: self._news.put(_News("", "stop", "interrupted"))):
+        with _signals(lambda reason: self._news.put(_News("", "stop", reason))):
             try:
                 if self._made_by is not None:
                     self._start_world(self._made_by)
@@ -557,15 +557,18 @@ def _how_ended(code: int) -> str:
 
 
 @contextmanager
-def _signals(stop: Callable[[], None]) -> Iterator[None]:
-    """Inside, Ctrl-C and SIGTERM call `stop`, if this is the main thread: no other may set handlers."""
+def _signals(stop: Callable[[str], None]) -> Iterator[None]:
+    """Inside, Ctrl-C and SIGTERM call `stop` with the reason of the end.
+
+    They do so if this is the main thread: no other may set handlers.
+    """
     if threading.current_thread() is not threading.main_thread():
         yield
         return
     before: dict[int, Handler] = {}
 
     def handle(number: int, frame: FrameType | None) -> None:
-        stop()
+        stop("terminated" if number == signal.SIGTERM else "interrupted")
 
     for number in (int(signal.SIGINT), int(signal.SIGTERM)):
         if signal.getsignal(number) is not None:  # None: code outside Python has set it

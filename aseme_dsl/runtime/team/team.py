@@ -80,9 +80,10 @@ class RunResult(Displayed):
     """How a run ended.
 
     `reason` is "finished" (all agents have ended), "time" (the duration is over), "idle" (nothing would ever
-    happen any more), "interrupted", or what the stop condition said. `trace_error` says why a trace ended
-    before the run. `conversations` were open at the end, `unread` are the agent messages that waited then,
-    `faults` those of the whole run by reason and place.
+    happen any more), "interrupted", or what the stop condition said. In real time it is "terminated" after
+    SIGTERM.
+    `trace_error` says why a trace ended before the run. `conversations` were open at the end, `unread` are
+    the agent messages that waited then, `faults` those of the whole run by reason and place.
     """
 
     reason: str
@@ -398,7 +399,7 @@ class Team:
         )
         self.trace.begun = True
         try:
-            with importing(self._path), _interruptible(driver.stop):
+            with importing(self._path), _interruptible(driver.stop, driver.clock.virtual):
                 try:
                     self.transport.begin(self)
                 except TransportError as problem:
@@ -680,9 +681,10 @@ def make_team(
 
 
 @contextmanager
-def _interruptible(stop: Callable[[str], None]) -> Iterator[None]:
+def _interruptible(stop: Callable[[str], None], virtual: bool) -> Iterator[None]:
     """Inside, Ctrl-C and SIGTERM end the run; a second signal acts as if there were no run.
 
+    In real time SIGTERM is how a run is meant to end, and has a reason of its own.
     Only a run in the main thread does so, since Python lets no other set handlers; they are put back.
     """
     if threading.current_thread() is not threading.main_thread():
@@ -693,7 +695,7 @@ def _interruptible(stop: Callable[[str], None]) -> Iterator[None]:
     def handle(number: int, frame: FrameType | None) -> None:
         for each, handler in before.items():
             signal.signal(each, handler)
-        stop("interrupted")
+        stop("terminated" if number == signal.SIGTERM and not virtual else "interrupted")
 
     for number in (int(signal.SIGINT), int(signal.SIGTERM)):
         if signal.getsignal(number) is not None:  # None: it was not set by Python
