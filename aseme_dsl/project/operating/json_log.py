@@ -27,7 +27,8 @@ class JsonLog:
     """A listener of a trace that prints its recent records, logs and activities; and other lines.
 
     Members of each line are `time` (UTC, ISO 8601), `level` (info, warning, error) and `message`. A record
-    has `kind`, `run_time` (s) and `agent`, too, and some of `what`, `peer`, `activity`, `channel` and `reason`.
+    has `kind`, `run_time` (s) and `agent`, too, and some of `what`, `peer`, `activity`, `channel`,
+    `reason`.
     """
 
     def __init__(self, *, activities: bool, stream: IO[str] | None = None) -> None:
