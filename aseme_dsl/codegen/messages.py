@@ -164,6 +164,14 @@ def _schema(system: System, messages: tuple[Message, ...]) -> Iterator[str]:
         for rules in topic.channels
     ]
     yield from _mapping("    radio={", on_air, "},")
+    durations = [
+        f'"{message.name}.{field.name}",'
+        for message in messages
+        for field in message.fields
+        if field.type.kind is Kind.DURATION
+    ]
+    if durations:
+        yield from _mapping("    durations=(", durations, "),")
     yield ")"
     yield '"""How messages become bytes."""'
 

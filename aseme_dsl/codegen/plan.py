@@ -516,10 +516,11 @@ def _counted_in(chart: Statechart, branch: str) -> tuple[str, ...]:
 
 
 def protocol_versions(system: System) -> dict[str, str]:
-    """A hash of each protocol, by name: of its participants' automata and its messages.
+    """A hash of each protocol, by name: of its participants' automata, and then of its messages.
 
-    Two agents can take part in the same conversation if they have the same hash. The hash does not depend on
-    activities and their bindings, on conditions and durations, or on the nesting of states.
+    Agents of one team that are swapped apart can take part in the same conversation if they have the same
+    hash. The hash does not depend on activities and their bindings, on conditions and durations, or on the
+    nesting of states.
     """
     messages = {item.name: item for item in system.messages}
     order = {name: number for number, name in enumerate(messages)}
@@ -533,11 +534,16 @@ def protocol_versions(system: System) -> dict[str, str]:
             if eac is not None:
                 parts.append(_spoken(system, eac, participant))
             named.update(item.message for item in (*participant.sends, *participant.receives))
+        said: list[str] = []
         for name in sorted(named & messages.keys(), key=order.__getitem__):
             fields = [(f.name, f.label, str(f.type)) for f in messages[name].fields]
-            parts.append(repr((name, fields)))
-        found[aip.name] = hashlib.sha256("\0".join(parts).encode()).hexdigest()[:16]
+            said.append(repr((name, fields)))
+        found[aip.name] = _digest(parts) + _digest(said)
     return found
+
+
+def _digest(parts: list[str]) -> str:
+    return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:16]
 
 
 def _spoken(system: System, eac: Statechart, participant: Participant) -> str:

@@ -120,7 +120,7 @@ class Hostile:
         """Say that one is there, as robots do."""
         ping = envelopes.read(sample.attachment.to_bytes(), b"")
         now = time.monotonic_ns()
-        pong = Envelope(envelopes.PONG, ping.model, self.life, time=now, asked=ping.time, heard=now)
+        pong = Envelope(envelopes.PONG, ping.contract, self.life, time=now, asked=ping.time, heard=now)
         self.send(envelopes.written(pong, b"", addressee=ping.incarnation), b"", "pong")
 
     def message(self, bob: Part, n: int, place: int, **members: Any) -> None:
@@ -128,7 +128,7 @@ class Hostile:
             self.generated.message("M", n=n)
         )
         given = {
-            "model": self.generated.package.MODEL,
+            "contract": bob.post.contract,
             "incarnation": self.life,
             "channel": "team.signal.M",
             "sequence": n,
@@ -153,8 +153,8 @@ def test_nonsense_is_counted_told_and_harmless(wire: Generated, mouth: Mouth) ->
     good = envelopes.written(Envelope(envelopes.MESSAGE, incarnation=ann.life), b"abc")
     ann.send(good, b"abd")  # damaged on its way
     ann.message(bob, 2, 2, payload=b"\x0a\xff\xff")  # no message
-    ann.message(bob, 3, 3, model="older")
-    ann.message(bob, 4, 4, model="older")
+    ann.message(bob, 3, 3, contract=12345)
+    ann.message(bob, 4, 4, contract=12345)
     ann.message(bob, 5, 5, channel="team.signal.Secret")
     ann.message(bob, 1, 1)  # doubled
     ann.message(bob, 7, 7)  # before its predecessor
@@ -165,7 +165,7 @@ def test_nonsense_is_counted_told_and_harmless(wire: Generated, mouth: Mouth) ->
     stranger.message(bob, 10, 1)
     ann.message(bob, 11, 8)
     wait_until(lambda: 11 in heard(bob))
-    wait_until(lambda: "mallory untrusted" in bob.news())
+    wait_until(lambda: "mallory unknown" in bob.news())
     peer = bob.team.peers()["ann"]
     ann.close()
     stranger.close()

@@ -96,7 +96,9 @@ def main() -> None:
             to = names[asked_by(n // each, n % each, processes, agents)]
             context.send("request", crowd.message("Question", n=n), to)
 
-    post = Post(link, crowd.messages.SCHEMA, crowd.package.MODEL)
+    post = Post(
+        link, crowd.messages.SCHEMA, crowd.package.MODEL, [chart.PLAN for chart in crowd.charts.values()]
+    )
     records: list[dict[str, Any]] = []
     kept = {"conversation", "unexpected", "fault", "lost", "error"}
     left = itertools.count(1)

@@ -80,7 +80,7 @@ def forged(chance: random.Random, robot: str) -> tuple[str, bytes]:
     sender = chance.choice([name for name in ROBOTS if name != robot])
     life = chance.choice((0, 1, 2**64 - 1, chance.getrandbits(64)))
     data = envelopes.written(
-        Envelope(chance.randrange(5), chance.choice(("", "m")), life, channel="team.signal.Tick"), b""
+        Envelope(chance.randrange(5), chance.choice((0, 7)), life, channel="team.signal.Tick"), b""
     )
     if chance.random() < 0.5:
         data = envelopes.proven(data, b"", chance.randbytes(32), f"asemec/{NAME} {robot} {sender}")

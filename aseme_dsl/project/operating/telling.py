@@ -10,7 +10,17 @@ from aseme_dsl.project.operating.whole_team import WholeTeam
 if TYPE_CHECKING:
     from aseme_dsl.runtime.control.replies import AgentStatus, PeerStatus, Reply
 
-_COUNTED = ("lost", "refused", "dropped", "unreadable", "late", "duplicated", "reordered", "waiting")
+_COUNTED = (
+    "lost",
+    "refused",
+    "rejected",
+    "dropped",
+    "unreadable",
+    "late",
+    "duplicated",
+    "reordered",
+    "waiting",
+)
 """The counts of a peer that are shown where they are not 0."""
 
 
@@ -37,6 +47,7 @@ def _process_lines(status: Reply) -> Iterator[str]:
             yield f"  {'':<12} {waits} waiting"
     for name, peer in status["peers"].items():
         yield f"  to {name:<9} {peer_text(peer)}"
+        yield from (f"  {'':<12} not compatible: {text}" for text in peer["incompatible"])
     for name, clock in status["clocks"].items():
         if clock["difference"]:  # that of another machine
             off, wrong = clock["difference"] / 1e6, (clock["uncertainty"] or 0) / 1e6
@@ -72,9 +83,9 @@ def innermost(agent: AgentStatus) -> list[str]:
 
 def peer_text(peer: PeerStatus) -> str:
     """Whether a peer is connected, and what went wrong on the way from or to it."""
-    counts = {"lost": peer["lost"], "refused": peer["refused"], "dropped": peer["dropped"]}
-    counts |= {"unreadable": peer["unreadable"], "late": peer["late"], "waiting": peer["waiting"]}
-    counts |= {"duplicated": peer["duplicated"], "reordered": peer["reordered"]}
+    counts = {"lost": peer["lost"], "refused": peer["refused"], "rejected": peer["rejected"]}
+    counts |= {"dropped": peer["dropped"], "unreadable": peer["unreadable"], "late": peer["late"]}
+    counts |= {"duplicated": peer["duplicated"], "reordered": peer["reordered"], "waiting": peer["waiting"]}
     told = [f"{counts[name]} {name}" for name in _COUNTED if counts[name]]
     return ", ".join(["connected" if peer["connected"] else "gone", f"{peer['received']} received", *told])
 

@@ -400,7 +400,8 @@ def _transport(
     from aseme_dsl.runtime.transport.reliable_delivery import Post
 
     assert loaded.schema is not None  # every generated package has one
-    return Post(link_of(platform, loaded, configuration, agents), loaded.schema, loaded.model)
+    plans = [chart.PLAN for chart in loaded.charts.values()]
+    return Post(link_of(platform, loaded, configuration, agents), loaded.schema, loaded.model, plans)
 
 
 def _play_robot(

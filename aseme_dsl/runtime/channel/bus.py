@@ -357,6 +357,10 @@ class Bus:
                 agent.post(identity, Sample(channel, message, sender, moment, identity))
         return None
 
+    def concerns(self, sender: str, channel: str, receiver: str) -> bool:
+        """Whether an agent gets what another one publishes on a channel for all."""
+        return receiver in self._routes.receivers(sender, channel).names
+
     def restore(self, messages: Mapping[str, type[object]]) -> None:
         """Give the agents the states that were kept; `messages` are the classes by name.
 

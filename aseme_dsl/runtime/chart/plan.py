@@ -209,8 +209,8 @@ class BranchInfo:
     opens: tuple[tuple[str, str], ...] = ()
     """What can be the first message that it takes: only such a message takes an instance of it."""
     version: str = ""
-    """The hash of what the protocol's participants say, in which order: agents for which it is the same may
-    take part in one conversation."""
+    """The hash of what the protocol's participants say, in which order, and of the messages: agents for which
+    it is the same may take part in one conversation."""
     loses: tuple[str, ...] = ()
     """The participants of which it waits to hear that an agent is lost."""
     counts: tuple[str, ...] = ()
@@ -220,6 +220,11 @@ class BranchInfo:
     busy: tuple[str, str, tuple[tuple[tuple[str, ...], object], ...] | None] | None = None
     """What an invitation is answered while all instances are in use, as (performative, message, members with
     their values); without members the answer says what the invitation says. None: the invitation waits."""
+
+    @property
+    def automata(self) -> str:
+        """The first half of the version: the hash of what the participants say, in which order."""
+        return self.version[: len(self.version) // 2]
 
     def knows(self, participant: str) -> bool:
         """Whether the protocol has a participant of that name."""

@@ -32,8 +32,14 @@ class PeerStatus(TypedDict):
     """What a process knows of an agent that runs in another: counts of messages from it, and to it."""
 
     connected: bool
+    model: str | None
+    """The hash of the models that it follows; None until it has said that."""
+    incompatible: list[str]
+    """What does not work between its build and this one."""
     received: int
     refused: int
+    rejected: int
+    """By it: messages to it."""
     lost: int
     """To it."""
     dropped: int

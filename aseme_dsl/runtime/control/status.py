@@ -65,8 +65,11 @@ def _agent(agent: Agent, unread: int) -> AgentStatus:
 def _peer(peer: Peer) -> PeerStatus:
     return {
         "connected": peer.alive,
+        "model": peer.model or None,
+        "incompatible": list(peer.incompatible),
         "received": peer.taken,
         "refused": peer.refused,
+        "rejected": peer.rejected,
         "lost": peer.lost,
         "dropped": peer.dropped,
         "duplicated": peer.duplicated,

@@ -195,6 +195,17 @@ class Conversations:
             if acl.conversation in self._members.conversations:
                 self._delivery.close(acl.conversation)
 
+    def refused(self, agent: Receiver, answer: AclMessage, reason: str) -> None:
+        """An agent elsewhere does not read what one of ours has sent: its build means it in another way.
+
+        `answer` is what it would say. Who waits to hear that an agent is lost loses it instead.
+        """
+        with self._driver.holding(), self._lock:
+            self._told.received(agent.name, answer)
+            self._delivery.refused(agent, answer, reason)
+            if answer.conversation in self._members.conversations:
+                self._delivery.close(answer.conversation)
+
     def give(
         self,
         agent: Receiver,

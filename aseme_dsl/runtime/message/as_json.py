@@ -171,5 +171,24 @@ def _read_enum(kind: type[IntEnum], data: object, place: str) -> IntEnum:
     raise _misfit(place, f"one of {', '.join(kind.__members__)}", data)
 
 
+def only_known(kind: object, data: object) -> object:
+    """JSON of another build without the members that a type does not have.
+
+    A constant that it does not have is left out where it is optional.
+    """
+    arms = get_args(kind)
+    if get_origin(kind) in (Union, UnionType):
+        inner = next(arm for arm in arms if arm is not NoneType)
+        if isinstance(inner, type) and issubclass(inner, IntEnum) and data not in inner.__members__:
+            return None
+        return only_known(inner, data)
+    if get_origin(kind) in (tuple, list) and isinstance(data, list):
+        return [only_known(arms[0], item) for item in data]
+    if is_dataclass(kind) and isinstance(kind, type) and isinstance(data, dict):
+        types = member_types(kind)
+        return {name: only_known(types[name], value) for name, value in data.items() if name in types}
+    return data
+
+
 def _misfit(place: str, wanted: str, data: object) -> ValueError:
     return ValueError(f"{place + ': ' if place else ''}{wanted} is wanted, not {data!r}")

@@ -12,13 +12,13 @@ import struct
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import is_dataclass
 from enum import IntEnum
-from functools import cached_property
+from functools import cache, cached_property
 from types import NoneType
 from typing import TYPE_CHECKING, Protocol, TypeVar, cast, get_args
 
 from aseme_dsl import outside
 from aseme_dsl.records import dataclass
-from aseme_dsl.runtime.message.as_json import from_json, member_types, to_json
+from aseme_dsl.runtime.message.as_json import from_json, member_types, only_known, to_json
 from aseme_dsl.runtime.message.by_name import made
 from aseme_dsl.runtime.message.checked import check as check  # for generated modules
 
@@ -27,6 +27,8 @@ if TYPE_CHECKING:
     from google.protobuf.message import Message as ProtoMessage
 
 M = TypeVar("M")
+Zeros = frozenset[tuple[str, str]]
+"""Fields, as (message, field)."""
 _compact = json.JSONEncoder(separators=(",", ":")).encode
 
 
@@ -61,13 +63,15 @@ class Schema:
     `descriptors` is a FileDescriptorSet in base64, `classes` gives each message's class its full name there,
     `channels` each channel's text (`team.state.Assignment`) its class. `radio` has the channels that travel
     by radio, in the order of their numbers. Letters stand for the members: `?` bool, `e` enum, `i` int,
-    `f` double, `m` duration. An `o` stands before the letter of an optional member.
+    `f` double, `m` duration. An `o` stands before the letter of an optional member. `durations` are the
+    fields (`Ball.lasting`) whose whole numbers are durations.
     """
 
     descriptors: str
     classes: Mapping[type[object], str]
     channels: Mapping[str, type[object]]
     radio: Mapping[str, str]
+    durations: tuple[str, ...] = ()
 
     # ---- Protocol Buffers ----------------------------------------------------------------------
 
@@ -79,8 +83,11 @@ class Schema:
         """
         return self._to_proto(message).SerializeToString(deterministic=True)
 
-    def decode(self, kind: type[M], data: bytes) -> M:
+    def decode(self, kind: type[M], data: bytes, zeros: Zeros = frozenset()) -> M:
         """The message of class `kind` that these bytes are. Fields that it does not know are dropped.
+
+        An optional field that was not sent is None, but for `zeros`: it is zero there. An optional enum with
+        a number that has no constant is None.
 
         Raises:
             WireError: They are none, or an enum has a number without a constant.
@@ -91,7 +98,7 @@ class Schema:
             proto = self._protos[kind].FromString(data)
         except DecodeError as problem:
             raise WireError(f"{len(data)} bytes cannot be read as {kind.__name__}: {problem}") from None
-        return self._from_proto(kind, proto)
+        return self._from_proto(kind, proto, zeros)
 
     # ---- JSON ----------------------------------------------------------------------------------
 
@@ -104,14 +111,17 @@ class Schema:
         self._to_proto(message)  # holds it to the same rules
         return _compact(to_json(message)).encode()
 
-    def decode_json(self, kind: type[M], data: bytes) -> M:
+    def decode_json(self, kind: type[M], data: bytes, *, known: bool = True) -> M:
         """The message of class `kind` that this JSON object is; members that it lacks have their defaults.
+
+        Members that the class does not have are dropped, if they need not be `known`.
 
         Raises:
             WireError: It is none.
         """
         try:
-            found = from_json(kind, outside.loads(data))
+            read = outside.loads(data)
+            found = from_json(kind, read if known else only_known(kind, read))
         except (ValueError, RecursionError) as problem:
             raise WireError(f"{len(data)} bytes cannot be read as {kind.__name__}: {problem}") from None
         return found
@@ -174,30 +184,36 @@ class Schema:
         else:
             setattr(proto, member.field, value)
 
-    def _from_proto(self, kind: type[M], proto: ProtoMessage) -> M:
+    def _from_proto(self, kind: type[M], proto: ProtoMessage, zeros: Zeros) -> M:
         make: Callable[..., M] = kind
-        return make(**{member.name: self._get(kind, proto, member) for member in self._members[kind]})
+        return make(**{member.name: self._get(kind, proto, member, zeros) for member in self._members[kind]})
 
-    def _get(self, owner: type[object], proto: ProtoMessage, member: _Member) -> object:
+    def _get(self, owner: type[object], proto: ProtoMessage, member: _Member, zeros: Zeros) -> object:
         def one(value: object) -> object:
             if member.kind in self._protos:
-                return self._from_proto(member.kind, cast("ProtoMessage", value))
+                return self._from_proto(member.kind, cast("ProtoMessage", value), zeros)
             return _constant(member.kind, value, f"{owner.__name__}.{member.name}")
 
         if member.entries:
             found = getattr(proto, member.field)
             entry = {part.name: part for part in self._members[member.kind]}
-            return tuple(self._entry(member.kind, entry, key, found[key]) for key in sorted(found))
+            return tuple(self._entry(member.kind, entry, key, found[key], zeros) for key in sorted(found))
         if member.repeated:
             return tuple(one(item) for item in getattr(proto, member.field))
-        if member.optional and not proto.HasField(member.field):
-            return None
-        return one(getattr(proto, member.field))
+        value = getattr(proto, member.field)
+        if member.optional:
+            if not proto.HasField(member.field) and (owner.__name__, member.field) not in zeros:
+                return None
+            if issubclass(member.kind, IntEnum) and value not in _numbers(member.kind):
+                return None
+        return one(value)
 
-    def _entry(self, kind: type[object], parts: Mapping[str, _Member], key: object, value: object) -> object:
+    def _entry(
+        self, kind: type[object], parts: Mapping[str, _Member], key: object, value: object, zeros: Zeros
+    ) -> object:
         part = parts["value"]
         if part.kind in self._protos:
-            value = self._from_proto(part.kind, cast("ProtoMessage", value))
+            value = self._from_proto(part.kind, cast("ProtoMessage", value), zeros)
         return made(kind, key=key, value=_constant(part.kind, value, f"{kind.__name__}.value"))
 
     # ---- radio ---------------------------------------------------------------------------------
@@ -249,6 +265,11 @@ def _constant(kind: type, value: object, where: str) -> object:
         return kind(cast(int, value))
     except ValueError:
         raise WireError(f"{where}: {kind.__name__} has no constant with the number {value}") from None
+
+
+@cache
+def _numbers(kind: type[IntEnum]) -> frozenset[int]:
+    return frozenset(item.value for item in kind)
 
 
 def _members_of(kind: type[object], proto: type[ProtoMessage]) -> Iterator[_Member]:

@@ -137,7 +137,7 @@ def read_letter(said: Mapping[str, object], headers: Headers, payload: bytes, sy
             raise EnvelopeError(f"its {name} is not of the type {kind.__name__}")
     if values.pop("check", None) != zlib.crc32(payload):
         raise EnvelopeError("it was damaged on its way: its checksum is another")
-    if values.get("kind") not in range(6):
+    if values.get("kind") not in range(len(envelopes.KINDS)):
         raise EnvelopeError(f"there is no kind {values.get('kind')} of envelope")
     if values["kind"] == envelopes.MAIL:
         performative = performative_of(headers.get("performative", ""))

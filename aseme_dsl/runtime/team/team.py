@@ -326,7 +326,8 @@ class Team:
             if plan.name in version.charts:
                 self.elsewhere[name] = version.charts[plan.name].PLAN
         if version.schema is not None:
-            self.transport.renew(version.schema, version.model)
+            plans = tuple(chart.PLAN for chart in version.charts.values())
+            self.transport.renew(version.schema, version.model, plans)
         self.bus.renew(self.elsewhere)
         self.conversations.renew(self.elsewhere)
 

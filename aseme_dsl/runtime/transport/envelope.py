@@ -6,12 +6,14 @@ The envelope is the attachment of a zenoh sample. Its payload is the message its
     syntax = "proto3";
     package aseme.transport;
 
-    enum Kind { MESSAGE = 0; MAIL = 1; ACKNOWLEDGE = 2; PING = 3; PONG = 4; LOSS = 5; }
+    enum Kind {
+      MESSAGE = 0; MAIL = 1; ACKNOWLEDGE = 2; PING = 3; PONG = 4; LOSS = 5; CONTRACT = 6; REFUSED = 7;
+    }
 
     message Envelope {
       uint32 format = 1;                // 1
       Kind kind = 2;
-      string model = 3;                 // MODEL of the generated package
+      reserved 3;
       fixed64 incarnation = 4;          // which incarnation of the sender
       fixed64 addressee = 5;            // which incarnation of the receiver it is for
       uint64 place = 6;                 // in the stream from sender to receiver, from 1; 0: not in the stream
@@ -42,6 +44,8 @@ The envelope is the attachment of a zenoh sample. Its payload is the message its
       string language = 30;             // of the content, where it goes as text; empty: json
       string encoding = 31;
       string ontology = 32;             // empty: the system of the model
+      fixed64 contract = 34;            // the sender's contract (`message.contract`)
+      string reason = 35;               // REFUSED: why
       bytes proof = 33;                 // last; HMAC-SHA-256 of the rest with the team's secret (`proven`)
     }
     message Part { string participant = 1; repeated string agents = 2; }
@@ -61,7 +65,8 @@ FORMAT = 1
 MOST_MISSING = 256
 """An acknowledgement says of at most so many places that they are missing."""
 
-MESSAGE, MAIL, ACKNOWLEDGE, PING, PONG, LOSS = range(6)
+KINDS = ("MESSAGE", "MAIL", "ACKNOWLEDGE", "PING", "PONG", "LOSS", "CONTRACT", "REFUSED")
+MESSAGE, MAIL, ACKNOWLEDGE, PING, PONG, LOSS, CONTRACT, REFUSED = range(8)
 
 
 class EnvelopeError(ValueError):
@@ -72,7 +77,7 @@ class Envelope(NamedTuple):
     """The members are those of the module's docstring."""
 
     kind: int
-    model: str = ""
+    contract: int = 0
     incarnation: int = 0
     addressee: int = 0
     place: int = 0
@@ -97,6 +102,7 @@ class Envelope(NamedTuple):
     language: str = ""
     encoding: str = ""
     ontology: str = ""
+    reason: str = ""
     parts: tuple[tuple[str, tuple[str, ...]], ...] = ()
     receivers: tuple[str, ...] = ()
     missing: tuple[int, ...] = ()
@@ -142,7 +148,7 @@ def read(data: bytes, payload: bytes) -> Envelope:
         raise EnvelopeError(f"its envelope has the format {proto.format}; this is {FORMAT}")
     if proto.check != zlib.crc32(payload):
         raise EnvelopeError("it was damaged on its way: its checksum is another")
-    if proto.kind not in range(6):
+    if proto.kind not in range(len(KINDS)):
         raise EnvelopeError(f"there is no kind {proto.kind} of envelope")
     if len(proto.missing) > MOST_MISSING:
         raise EnvelopeError(f"it says of {len(proto.missing)} places that they are missing")
@@ -219,17 +225,17 @@ def _proto() -> Any:
         name="aseme/transport.proto", package="aseme.transport", syntax="proto3"
     )
     kind = file.enum_type.add(name="Kind")
-    for number, name in enumerate(("MESSAGE", "MAIL", "ACKNOWLEDGE", "PING", "PONG", "LOSS")):
+    for number, name in enumerate(KINDS):
         kind.value.add(name=name, number=number)
     part = file.message_type.add(name="Part")
     part.field.add(name="participant", number=1, type=kinds.TYPE_STRING, label=kinds.LABEL_OPTIONAL)
     part.field.add(name="agents", number=2, type=kinds.TYPE_STRING, label=kinds.LABEL_REPEATED)
     envelope = file.message_type.add(name="Envelope")
     text, count, fixed, moment = kinds.TYPE_STRING, kinds.TYPE_UINT64, kinds.TYPE_FIXED64, kinds.TYPE_SFIXED64
-    types = {
+    types: dict[str, Any] = {
         "format": kinds.TYPE_UINT32,
         "kind": kinds.TYPE_ENUM,
-        "model": text,
+        "reserved": None,
         "incarnation": fixed,
         "addressee": fixed,
         "place": count,
@@ -259,8 +265,13 @@ def _proto() -> Any:
         "language": text,
         "encoding": text,
         "ontology": text,
+        "proof": None,  # not a field for this class: it stands behind all that is
+        "contract": fixed,
+        "reason": text,
     }
     for number, (name, type_) in enumerate(types.items(), 1):
+        if type_ is None:
+            continue
         repeated = name in _LISTS
         field = envelope.field.add(
             name=name,

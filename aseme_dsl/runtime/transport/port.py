@@ -38,7 +38,9 @@ class Peer:
     duplicated: int = 0
     reordered: int = 0
     refused: int = 0
-    """Messages of another model, or for an agent that is not in this process."""
+    """Messages that its build means in another way, or for an agent that is not in this process."""
+    rejected: int = 0
+    """Messages to the agent that it has refused, since its build means them in another way."""
     unreadable: int = 0
     """Packets that are not a message."""
     late: int = 0
@@ -51,6 +53,10 @@ class Peer:
     """Messages to the agent that are on their way, or wait for it."""
     uncertainty: int | None = 0
     """Largest error of its times here, in ns; 0 on one machine, None until its clock has been measured."""
+    model: str = ""
+    """The hash of the models that it follows; empty until it has said that."""
+    incompatible: tuple[str, ...] = ()
+    """What does not work between its build and ours, for people."""
     difference: int | None = 0
     """Added to the times of its clock, in ns; 0 on one machine, None until its clock has been measured."""
 
@@ -60,6 +66,7 @@ class MailPort(Protocol):
 
     def arrived(self, agent: Receiver, acl: AclMessage, members: Mapping[str, Sequence[str]]) -> None: ...
     def receive_external(self, to: str, message: FipaMessage) -> None: ...
+    def refused(self, agent: Receiver, answer: AclMessage, reason: str) -> None: ...
     def appeared(self, name: str, life: int | None = ...) -> None: ...
     def vanished(self, name: str, reason: Reason = ...) -> None: ...
 
@@ -77,6 +84,7 @@ class BusPort(Protocol):
         moment: int,
         host: str | None = None,
     ) -> str | None: ...
+    def concerns(self, sender: str, channel: str, receiver: str) -> bool: ...
 
 
 class DriverPort(Scheduler, Protocol):
@@ -176,7 +184,7 @@ class Transport:
         """Put a control request to an agent elsewhere. Raises TransportError if no answer comes."""
         raise TransportError(f"{name} does not run in another process")
 
-    def renew(self, schema: Schema, model: str) -> None:
+    def renew(self, schema: Schema, model: str, plans: Sequence[Plan]) -> None:
         """The agents of this process continue with another version of the model."""
 
     def answer(self, answer: Answer) -> None:

@@ -20,22 +20,24 @@ import contextlib
 import json
 import threading
 import time
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from aseme_dsl import outside
 from aseme_dsl.runtime.chart.inputs import LOST, Identity
 from aseme_dsl.runtime.message.acl import JSON, AclMessage, AgentIdentifier, FipaMessage, name_of
+from aseme_dsl.runtime.message.contract import contract_of
 from aseme_dsl.runtime.message.wire import Schema, WireError
 from aseme_dsl.runtime.time.clock import Clock, RealClock
 from aseme_dsl.runtime.transport import envelope as envelopes
+from aseme_dsl.runtime.transport.delivery.builds import compare_soon, contract_letter, reading_of
 from aseme_dsl.runtime.transport.delivery.clocks import clock_identity, clock_record, difference_to, moment_of
 from aseme_dsl.runtime.transport.delivery.codec import Codec
 from aseme_dsl.runtime.transport.delivery.inbox import Inbox
 from aseme_dsl.runtime.transport.delivery.records import Kept, Other, Sent, Way
 from aseme_dsl.runtime.transport.delivery.reports import lose, tell
 from aseme_dsl.runtime.transport.delivery.sending import (
+    UNKNOWN,
     acknowledge_all,
     dispatch,
     encoded,
@@ -50,7 +52,7 @@ from aseme_dsl.runtime.transport.port import Answer, Connected, Peer, Transport,
 from aseme_dsl.runtime.transport.stream import Letter, Outgoing
 
 if TYPE_CHECKING:
-    from aseme_dsl.runtime.chart.plan import ChannelInfo
+    from aseme_dsl.runtime.chart.plan import ChannelInfo, Plan
 
 LAST_WORDS = 0.3
 """How long, in seconds, what is on its way may take to arrive when a robot ends; on slower links longer."""
@@ -63,10 +65,10 @@ class Post(Transport):
 
     networked = True
 
-    def __init__(self, link: Link, schema: Schema, model: str) -> None:
-        """`model` is the MODEL of the generated package; messages of another one are refused."""
+    def __init__(self, link: Link, schema: Schema, model: str, plans: Iterable[Plan]) -> None:
+        """`model` is the MODEL of the generated package, `plans` are those of all its roles."""
         incarnation = time.time_ns()
-        codec = Codec(schema, model, link.readable, link.largest)
+        codec = Codec(schema, contract_of(schema, plans, model), link.readable, link.largest)
         self.state = Delivery(link, codec, incarnation, clock_identity())
         self.inbox = Inbox(self.state)
         self.life = f"{incarnation:x}-"
@@ -75,9 +77,9 @@ class Post(Transport):
         self._thread: threading.Thread | None = None
 
     @property
-    def model(self) -> str:
-        """The version of the model that the agents of this process follow."""
-        return self.state.codec.model
+    def contract(self) -> int:
+        """The number of the contract of the version that the agents of this process follow."""
+        return self.state.codec.number
 
     @property
     def incarnation(self) -> int:
@@ -239,6 +241,9 @@ class Post(Transport):
             if state.closing:
                 return
             way, other = state.ways[sender, to], state.others[to]
+            if not other.knows_us:
+                lose(state, to, [Letter(sent, 0)], UNKNOWN)
+                return
             lose(state, to, way.out.put(Letter(sent, len(payload))), "too many wait for it")
             pump(state, way, other)
 
@@ -263,6 +268,8 @@ class Post(Transport):
                 other.life,
                 unacknowledged=waiting,
                 uncertainty=uncertainty,
+                model=other.model,
+                incompatible=other.incompatible,
                 difference=0 if same else (quickest[1] if quickest else None),
                 **dict(other.counts),
             )
@@ -270,7 +277,7 @@ class Post(Transport):
 
     def is_there(self, name: str) -> bool:
         other = self.state.others.get(name)
-        return other is not None and other.alive
+        return other is not None and other.alive and other.knows_us
 
     def history(
         self, sender: str, channel: str, since: int, until: int, timeout: float = 1.0
@@ -287,10 +294,14 @@ class Post(Transport):
         for envelope, payload in answers:
             if envelope.kind == envelopes.ACKNOWLEDGE:
                 continue
-            if envelope.model != state.codec.model:
-                raise TransportError(f"{sender} has another model ({envelope.model})")
+            view = None
+            if envelope.contract != state.codec.number:
+                view = reading_of(state, other, envelope.contract)
+                reason = "nothing is known of it" if view is None else view.channels.get(channel)
+                if reason:
+                    raise TransportError(f"{sender} is of another build: {reason}")
             try:
-                found.append((moment_of(state, other, envelope), state.codec.read(kind, payload)))
+                found.append((moment_of(state, other, envelope), state.codec.read(kind, payload, view)))
             except WireError as problem:
                 raise TransportError(f"the answer of {sender} cannot be read: {problem}") from problem
         if not answers:
@@ -305,13 +316,24 @@ class Post(Transport):
                     return answer
         raise TransportError(f"{name} does not answer")
 
-    def renew(self, schema: Schema, model: str) -> None:
+    def renew(self, schema: Schema, model: str, plans: Sequence[Plan]) -> None:
         """The agents of this process continue with another version of the model.
 
-        A message that is still on its way to or from an agent of another version is refused on arrival, and
-        recorded.
+        Agents of other versions learn its contract before the first message of it.
         """
-        self.state.codec = replace(self.state.codec, schema=schema, model=model)
+        state = self.state
+        contract = contract_of(schema, plans, model)
+        with state.lock:
+            state.codec = Codec(schema, contract, state.codec.readable, state.codec.largest)
+            state.contracts.pop(contract.number, None)
+            state.contracts[contract.number] = contract
+            for (mine, name), way in state.ways.items():
+                other = state.others[name]
+                if other.life is not None:
+                    way.out.put(contract_letter(state, mine, contract))
+                    pump(state, way, other)
+            for other in state.others.values():
+                compare_soon(state, other)
 
     def answer(self, answer: Answer) -> None:
         self.inbox.answer = answer

@@ -162,6 +162,7 @@ class Part:
     team: Team
     post: Post
     records: list[Record]
+    generated: Generated
     thread: threading.Thread | None = None
     result: RunResult | None = None
     error: BaseException | None = None
@@ -213,6 +214,7 @@ def part(
 ) -> Part:
     """A part of a generated team, with the agents `here`."""
     schema = generated.messages.SCHEMA
-    post = Post(link, schema, generated.package.MODEL if model is None else model)
+    plans = [chart.PLAN for chart in generated.charts.values()]
+    post = Post(link, schema, generated.package.MODEL if model is None else model, plans)
     team, records = make(generated, activities, here=tuple(here), transport=post, clock="real", **options)
-    return Part(team, post, records)
+    return Part(team, post, records, generated)

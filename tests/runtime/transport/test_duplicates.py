@@ -121,7 +121,7 @@ def a_signal(ann: Part, bob: Part, wire: Generated) -> tuple[Envelope, bytes]:
     payload = wire.messages.SCHEMA.encode(wire.message("M", n=1))
     return (
         Envelope(
-            envelopes.MESSAGE, bob.post.model, ann.post.incarnation, bob.post.incarnation, 1, sequence=1,
+            envelopes.MESSAGE, bob.post.contract, ann.post.incarnation, bob.post.incarnation, 1, sequence=1,
             time=time.monotonic_ns(), clock=ann.post.state.clock, channel="team.signal.M",
         ),
         payload,
@@ -130,18 +130,18 @@ def a_signal(ann: Part, bob: Part, wire: Generated) -> tuple[Envelope, bytes]:
 
 def a_ping(ann: Part, bob: Part, wire: Generated) -> tuple[Envelope, bytes]:
     return Envelope(
-        envelopes.PING, bob.post.model, ann.post.incarnation, time=1, clock=ann.post.state.clock
+        envelopes.PING, bob.post.contract, ann.post.incarnation, time=1, clock=ann.post.state.clock
     ), b""
 
 
 def an_acknowledgement(ann: Part, bob: Part, wire: Generated) -> tuple[Envelope, bytes]:
     return Envelope(
-        envelopes.ACKNOWLEDGE, bob.post.model, ann.post.incarnation, clock=ann.post.state.clock
+        envelopes.ACKNOWLEDGE, bob.post.contract, ann.post.incarnation, clock=ann.post.state.clock
     ), b""
 
 
 def of_another_life(ann: Part, bob: Part, wire: Generated) -> tuple[Envelope, bytes]:
-    return Envelope(envelopes.MESSAGE, bob.post.model, 1, channel="team.signal.M"), b""
+    return Envelope(envelopes.MESSAGE, bob.post.contract, 1, channel="team.signal.M"), b""
 
 
 @pytest.mark.parametrize("what", [a_signal, a_ping, an_acknowledgement, of_another_life])

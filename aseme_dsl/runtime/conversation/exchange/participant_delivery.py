@@ -201,6 +201,25 @@ class Delivery:
         self._told.unexpected(agent.name, acl, reason)
         self.losses.over(conversation, acl.conversation, agent.name, acl.to, "incompatible")
 
+    def refused(self, agent: Receiver, answer: AclMessage, reason: str) -> None:
+        """A message was refused by the build of its receiver; `answer` is `not_understood` of that agent."""
+        if self.free.is_free(answer):
+            self.free.deliver(agent, answer)
+            return
+        conversation = self._members.conversations.get(answer.conversation)
+        place = conversation.places.get((agent.name, answer.to)) if conversation is not None else None
+        if conversation is None or place is None:
+            self._told.unexpected(agent.name, answer, reason)
+        elif answer.participant in (*place.info.loses, *place.info.counts):
+            name, part = answer.sender, answer.participant
+            if (name, part) not in conversation.past:
+                self.losses.over(conversation, answer.conversation, name, part, "incompatible")
+        elif receives(place.info, answer):
+            self.spend(agent, answer.conversation)
+            self.post(agent, place, answer)
+        else:
+            self._told.unexpected(agent.name, answer, reason)
+
     def spend(self, agent: Receiver, name: str) -> str:
         """Count a message of a conversation; why it may not have it, empty if it may.
 

@@ -2,18 +2,20 @@
 
 from __future__ import annotations
 
+from functools import cached_property
+
 from aseme_dsl.records import dataclass
+from aseme_dsl.runtime.message.contract import Contract, Reading, reading
 from aseme_dsl.runtime.message.free import Text
 from aseme_dsl.runtime.message.wire import Schema, WireError
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Codec:
     """How the messages of a version of the model travel."""
 
     schema: Schema
-    model: str
-    """The MODEL of the generated package; messages of another one are refused."""
+    contract: Contract
     readable: bool
     """Whether they travel as JSON."""
     largest: int | None
@@ -28,16 +30,30 @@ class Codec:
             raise WireError(f"it has {len(payload)} bytes, and at the most {self.largest} travel here")
         return payload
 
-    def read(self, kind: type[object], payload: bytes) -> object:
-        """The message that a payload is. Raises WireError."""
+    @cached_property
+    def number(self) -> int:
+        """The number of the contract."""
+        return self.contract.number
+
+    @cached_property
+    def kinds(self) -> dict[str, type[object]]:
+        """The class of each message by its name; the empty name is a text."""
+        return {"": Text, **{kind.__name__: kind for kind in self.schema.classes}}
+
+    def reading(self, contract: Contract) -> Reading:
+        """How messages are read that were sent under a contract."""
+        return reading(self.contract, contract)
+
+    def read(self, kind: type[object], payload: bytes, other: Reading | None = None) -> object:
+        """The message that a payload is, of this build or of an `other` one. Raises WireError."""
         if kind is Text:
             try:
                 return Text(payload.decode())
             except UnicodeDecodeError as problem:
                 raise WireError(f"{len(payload)} bytes are not a text in UTF-8: {problem}") from None
         if self.readable:
-            return self.schema.decode_json(kind, payload)
-        return self.schema.decode(kind, payload)
+            return self.schema.decode_json(kind, payload, known=other is None)
+        return self.schema.decode(kind, payload, other.zeros if other is not None else frozenset())
 
 
 def _utf_8(text: str) -> bytes:

@@ -46,17 +46,20 @@ class Inbox:
         if is_fresh(self._state, envelope):
             end_before(self._state, sender, envelope.incarnation)
         with self._state.lock:
-            other = sender_of(self._state, to, sender)
+            other = sender_of(self._state, to, sender, envelope)
             if other is None:
                 return
-            life, alive = other.life, other.alive
+            life, alive, knows = other.life, other.alive, other.knows_us
             if not is_current(self._state, other, envelope):
                 return
             other.clock = envelope.clock
             ready = accepted(self._state, to, other, envelope, payload, came)
             comes = other.alive and (not alive or other.life != life)
+            turns_away = knows and not other.knows_us
         if comes:
             self._state.team.conversations.appeared(sender, other.life)
+        if turns_away:
+            self._state.team.conversations.vanished(sender, "incompatible")
         for item in ready:
             if item is not None:
                 hand_on(self._state, to, other, *item)

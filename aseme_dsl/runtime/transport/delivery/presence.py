@@ -7,6 +7,7 @@ import time
 
 from aseme_dsl.runtime.chart.inputs import Reason
 from aseme_dsl.runtime.transport import envelope as envelopes
+from aseme_dsl.runtime.transport.delivery.builds import contract_letters
 from aseme_dsl.runtime.transport.delivery.records import Other
 from aseme_dsl.runtime.transport.delivery.reports import count, lose, meet_stranger, tell
 from aseme_dsl.runtime.transport.delivery.sending import (
@@ -45,7 +46,7 @@ def appeared(state: Delivery, agent: str, incarnation: int) -> None:
     with state.lock:
         other = state.others.get(agent)
         if other is None:
-            meet_stranger(state, agent)
+            meet_stranger(state, agent, "unknown")
             return
         other.present.add(incarnation)
         if incarnation != other.life and is_next(state, other, incarnation):
@@ -144,6 +145,11 @@ def begin_life(state: Delivery, other: Other, life: int) -> None:
     other.measured.clear()
     other.heard_at, other.ask_at = time.monotonic_ns(), 0
     other.beats, other.doubted_at, other.parted = False, 0, False
+    other.contracts.clear()
+    other.readings.clear()
+    other.unread.clear()
+    other.model, other.incompatible, other.said, other.compare_at = "", (), "", 0
+    other.knows_us = True
     tell(state, other, "connected" if first else "restarted")
     for (mine, name), way in state.ways.items():
         if name != other.name:
@@ -152,10 +158,12 @@ def begin_life(state: Delivery, other: Other, life: int) -> None:
         lose(state, name, flying, "it ended while this was on its way")
         way.into, way.samples, way.owed, way.sample = Incoming(), Samples(), 0, 0
         way.pinged = 0  # what was asked stays: the answer may be how this incarnation began
+        for letter in contract_letters(state, mine):
+            way.out.put(letter)
         for kept in state.archive.news_for(mine, name):
             way.out.put(Letter(kept.sent, len(kept.sent.payload), kept.replaces))
         for letter in waiting:
-            if letter.item.what != "state":
+            if letter.item.what not in ("state", "contract", "refused"):
                 way.out.put(Letter(letter.item, letter.size))
         pump(state, way, other)
     state.stir()

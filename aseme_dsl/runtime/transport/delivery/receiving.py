@@ -6,10 +6,9 @@ import time
 from collections.abc import Sequence
 
 from aseme_dsl.runtime.chart.inputs import LOST
-from aseme_dsl.runtime.message.acl import JSON, AclMessage, name_of
-from aseme_dsl.runtime.message.free import Text
-from aseme_dsl.runtime.message.wire import WireError
+from aseme_dsl.runtime.message.acl import JSON, NOT_UNDERSTOOD, AclMessage, name_of
 from aseme_dsl.runtime.transport import envelope as envelopes
+from aseme_dsl.runtime.transport.delivery.builds import be_unknown, decoded, turn_away
 from aseme_dsl.runtime.transport.delivery.clocks import deadline_of, moment_of, sent_at
 from aseme_dsl.runtime.transport.delivery.presence import (
     come_back,
@@ -64,8 +63,11 @@ def accepted(
         if has_returned(state, other) and not state.closing:
             come_back(state, other)
         return ()
+    if read.kind == envelopes.REFUSED and not read.place:
+        be_unknown(state, to, other, read.reason)
+        return ()
     # Not before its turn: what comes twice is looked into once.
-    return [decoded(state, other, *item) for item in in_order(state, to, other, way, read, payload)]
+    return [decoded(state, to, other, *item) for item in in_order(state, to, other, way, read, payload)]
 
 
 def learn(state: Delivery, to: str, other: Other, read: Envelope, payload: bytes) -> None:
@@ -74,40 +76,19 @@ def learn(state: Delivery, to: str, other: Other, read: Envelope, payload: bytes
         state.heartbeats.learn(to, other.name, read.incarnation, payload)
 
 
-def sender_of(state: Delivery, to: str, sender: str) -> Other | None:
-    """The sender of something to one of ours; None for an untrusted one, recorded. Called with the lock."""
+def sender_of(state: Delivery, to: str, sender: str, envelope: Envelope | None = None) -> Other | None:
+    """The sender of something to one of ours; None for one that is not known, recorded. Called with the lock.
+
+    One with an `envelope` is of the team: another build has it, ours does not. We notify it of that.
+    """
     if state.closing or to not in state.here:
         return None
     other = state.others.get(sender)
     if other is None:
-        meet_stranger(state, sender)
+        meet_stranger(state, sender, "untrusted" if envelope is None else "unknown")
+        if envelope is not None:
+            turn_away(state, to, sender, envelope)
     return other
-
-
-def decoded(
-    state: Delivery, other: Other, envelope: Envelope, payload: bytes
-) -> tuple[Envelope, object] | None:
-    """The message in an envelope; None, after telling why, if it is none for us."""
-    mail = envelope.kind in (envelopes.MAIL, envelopes.LOSS)
-    name = envelope.message if mail else envelope.channel
-    if envelope.model != state.codec.model:
-        reason = f"{name} is of the model {envelope.model or '(none)'}; ours is {state.codec.model}"
-        count(state, other, "refused", reason, about=name)
-        return None
-    if envelope.kind == envelopes.LOSS:  # it has no content
-        return envelope, None
-    kind: type[object] | None = state.codec.schema.channels.get(name)
-    if mail:
-        kind = Text if not name else None
-        kind = kind or next((k for k in state.codec.schema.classes if k.__name__ == name), None)
-    if kind is None:
-        count(state, other, "refused", f"there is no {'message' if mail else 'channel'} {name}", about=name)
-        return None
-    try:
-        return envelope, state.codec.read(kind, payload)
-    except WireError as problem:
-        count(state, other, "unreadable", f"{name}: {problem}", about=name)
-        return None
 
 
 def in_order(
@@ -158,7 +139,8 @@ def hand_on(state: Delivery, to: str, other: Other, envelope: Envelope, message:
     """Give a message to the agent that it is for. Called without the lock."""
     agent = state.here[to]
     team = state.team
-    other.counts["taken"] = other.counts.get("taken", 0) + 1
+    if envelope.kind != envelopes.REFUSED:
+        other.counts["taken"] = other.counts.get("taken", 0) + 1
     identity = (other.name, envelope.sequence)
     try:
         if envelope.kind in (envelopes.MAIL, envelopes.LOSS):
@@ -183,6 +165,8 @@ def hand_on(state: Delivery, to: str, other: Other, envelope: Envelope, message:
                 sent=sent_at(state, other, envelope),
             )
             team.conversations.arrived(agent, acl, dict(envelope.parts))
+        elif envelope.kind == envelopes.REFUSED:
+            team.conversations.refused(agent, refusal_of(other, envelope, message), envelope.reason)
         else:
             moment = moment_of(state, other, envelope)
             host = envelope.host or None
@@ -193,3 +177,22 @@ def hand_on(state: Delivery, to: str, other: Other, envelope: Envelope, message:
     except Exception as problem:  # no caller on the link's thread would report it
         reason = f"what {other.name} sent could not be taken: {type(problem).__name__}: {problem}"
         team.trace.fault(team.driver.clock.now(), to, reason)
+
+
+def refusal_of(other: Other, envelope: Envelope, content: object) -> AclMessage:
+    """What an agent would answer that does not understand a message, since it is of another build."""
+    identity = (other.name, envelope.sequence)
+    return AclMessage(
+        NOT_UNDERSTOOD,
+        other.name,
+        (),
+        envelope.message,
+        content,
+        envelope.protocol,
+        envelope.conversation,
+        envelope.participant,
+        envelope.to,
+        identity,
+        reply_with=name_of(identity),
+        in_reply_to=envelope.in_reply_to,
+    )

@@ -8,6 +8,7 @@ from dataclasses import field
 
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.inputs import Identity
+from aseme_dsl.runtime.message.contract import Contract, Reading
 from aseme_dsl.runtime.transport.envelope import Envelope
 from aseme_dsl.runtime.transport.stream import Incoming, Outgoing, Samples
 
@@ -56,6 +57,19 @@ class Way:
 
 
 @dataclass(slots=True)
+class Unread:
+    """Messages of a channel that we did not read, and of which we notify their sender."""
+
+    mine: str
+    """The agent that they were for."""
+    reason: str
+    number: int = 0
+    """How many of them their sender has not been told of."""
+    told_at: int = 0
+    """When it was told last, in ns."""
+
+
+@dataclass(slots=True)
 class Other:
     """An agent elsewhere: which incarnation it is, and what came from it."""
 
@@ -80,6 +94,22 @@ class Other:
     measured: deque[tuple[int, int]] = field(default_factory=lambda: deque(maxlen=QUESTIONS))
     """(round trip, difference) of the last measurements of its clock."""
     ask_at: int = 0
+    knows_us: bool = True
+    """Whether its build has our agents, as far as it has not said that it does not."""
+    contracts: dict[int, Contract] = field(default_factory=dict)
+    """Its contracts of late by their numbers, the newest last."""
+    readings: dict[tuple[int, int], Reading] = field(default_factory=dict)
+    """How we read it, by the numbers of our contract and of its."""
+    model: str = ""
+    """The hash of the models that it follows, as far as it has said that."""
+    said: str = ""
+    """What was told last of the difference between its build and ours."""
+    compare_at: int = 0
+    """When that is compared again, in ns; 0: it is not."""
+    incompatible: tuple[str, ...] = ()
+    """What does not work between its build and ours."""
+    unread: dict[str, Unread] = field(default_factory=dict)
+    """What of it was not read, by channel."""
     counts: dict[str, int] = field(default_factory=dict)
     told: set[tuple[str, str]] = field(default_factory=set)
 

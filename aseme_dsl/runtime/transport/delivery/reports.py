@@ -44,7 +44,7 @@ def lose(state: Delivery, name: str, letters: Iterable[Letter[Sent]], reason: st
     other = state.others[name]
     for letter in letters:
         sent = letter.item
-        if sent.what in ("state", "data"):
+        if sent.what in ("state", "data", "contract", "refused"):
             continue
         other.counts["lost"] = other.counts.get("lost", 0) + 1
         envelope = sent.envelope
@@ -60,13 +60,12 @@ def lose(state: Delivery, name: str, letters: Iterable[Letter[Sent]], reason: st
         )
 
 
-def meet_stranger(state: Delivery, name: str) -> None:
-    """Record an untrusted sender that uses the team's name on the network, once for each `name`."""
+def meet_stranger(state: Delivery, name: str, what: str = "untrusted") -> None:
+    """Record a sender that uses the team's name on the network and is not known, once for each `name`."""
     state.strange += 1
     name = name[:LONGEST_NAME]
     if name in state.strangers or len(state.strangers) > 100:
         return
-    state.strangers.add(name)
-    mine = state.mine
+    state.strangers[name] = 0
     now = state.now()
-    state.team.trace.write("peer", now, agent=mine, peer=name, what="untrusted")
+    state.team.trace.write("peer", now, agent=state.mine, peer=name, what=what)

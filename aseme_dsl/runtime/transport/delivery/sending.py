@@ -19,6 +19,9 @@ if TYPE_CHECKING:
     from aseme_dsl.runtime.chart.plan import ChannelInfo
 
 
+UNKNOWN = "it is of another build, which does not have its sender"
+
+
 def encoded(state: Delivery, sender: str, what: str, message: object) -> bytes | None:
     """The payload of a message; None, after telling why, if it cannot travel."""
     try:
@@ -33,12 +36,15 @@ def dispatch(
 ) -> None:
     """Send a message to one agent, now or when that is possible. Called with the lock."""
     if sent.what == "data":
-        if other.alive:
+        if other.alive and other.knows_us:
             way.sample += 1
             hand_over(state, other, sent, sample=way.sample)
         return
     if other.life is None and sent.what == "state":
         return  # it gets the latest when it comes
+    if not other.knows_us:
+        lose(state, other.name, [Letter(sent, 0)], UNKNOWN)
+        return
     replaces = key if sent.what == "state" else None
     if sent.what == "signal" and not other.alive and not (rules is not None and rules.queued):
         replaces = key

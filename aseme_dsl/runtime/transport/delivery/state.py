@@ -31,6 +31,8 @@ class Delivery:
         self.codec = codec
         self.incarnation = incarnation
         self.clock = clock
+        self.contracts = {codec.number: codec.contract}
+        """Those of all builds under which our agents have sent, by their numbers."""
         self.delay = max(0, link.patience // 3 - SOON)
         """How long an acknowledgement waits for others, in ns."""
         self.lease = link.lease
@@ -46,7 +48,8 @@ class Delivery:
         self.closing = False
         self.gate = threading.Event()
         """Set when what comes may be handed on."""
-        self.strangers: set[str] = set()
+        self.strangers: dict[str, int] = {}
+        """When each of them was answered last, in ns."""
         self.strange = 0
         """How much has come from untrusted senders, and from senders without a name."""
         self.heartbeats: Heartbeats | None = None
@@ -74,7 +77,7 @@ class Delivery:
         return made(
             Envelope,
             kind,
-            self.codec.model,
+            self.codec.number,
             self.incarnation,
             sequence=sequence,
             time=moment or time.monotonic_ns(),

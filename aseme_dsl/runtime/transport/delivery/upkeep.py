@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 
+from aseme_dsl.runtime.transport.delivery.builds import compare, tell_numbers
 from aseme_dsl.runtime.transport.delivery.presence import PINGS, knock
 from aseme_dsl.runtime.transport.delivery.records import QUESTIONS, Other
 from aseme_dsl.runtime.transport.delivery.sending import (
@@ -70,6 +71,8 @@ def look_after(state: Delivery) -> bool:
             continue
         for place, letter in way.out.overdue(now):
             hand_over(state, other, letter.item, place=place)
+        busy = tell_numbers(state, other, now) or busy
+        busy = compare(state, other, now) or busy
         pump_quietly(state, way, other)
         busy = busy or way.out.flying > 0
     return busy
