@@ -123,3 +123,24 @@ def test_the_file_is_mended_and_what_was_changed_is_said(
     assert path.read_text("utf-8") == TEXT.format(
         line="leave look : when [!has(door.state.Visitor)]  // as there"
     )
+
+
+def test_a_line_by_labels_with_several_targets_is_looked_at() -> None:
+    text = """system Door
+message Visitor { bool present }
+topic door { state Visitor }
+statechart keeper {
+  state 0 OR  state 0.1 START  state 0.2 AND
+  state 0.2.1 OR  state 0.2.1.1 START  state 0.2.1.2 BASIC Look
+  state 0.2.2 OR  state 0.2.2.1 START  state 0.2.2.2 BASIC Turn
+  0.1 -> (0.2.1.2, 0.2.2.2) : [door.State.Visitor!=NULL]
+  0.2 -> (0.2.1.2, 0.2.2.2) : [door.State.Visitor==NULL]  // NULL
+  0.2.1.1 -> 0.2.1.2 :
+  0.2.2.1 -> 0.2.2.2 :
+}
+"""
+    found = analyse(Source("door.aseme", text)).diagnostics
+    assert [(item.code, item.fix) for item in found if item.severity == "error"] == [
+        ("E118", "[has(door.state.Visitor)]"),
+        ("E118", "when [!has(door.state.Visitor)]"),
+    ]

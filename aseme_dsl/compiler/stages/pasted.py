@@ -12,6 +12,7 @@ from aseme_dsl.compiler.types.scopes import role_scope
 from aseme_dsl.diagnostics import Diagnostic, Severity
 from aseme_dsl.diagnostics.problems.syntax.formulas import ForeignExpression
 from aseme_dsl.grammar.text import tree
+from aseme_dsl.grammar.text.lexer import Tokens, clean
 from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
@@ -22,13 +23,8 @@ _SURE = re.compile(
     re.ASCII,
 )
 """What only KSE writes."""
-_HEAD = re.compile(
-    r"(?:^|\{)[ \t]*(?:(?P<verb>enter|skip|repeat|leave|start|finish)\b(?P<term>[^:\n]*?)"
-    r"|(?P<source>[0-9]+(?:\.[0-9]+)*)[ \t]*->[ \t]*[0-9.]+)[ \t]*:(?!:)",
-    re.MULTILINE | re.ASCII,
-)
-_END = re.compile(r'(?:"(?:[^"\\\n]|\\.)*"|[^"}/]|/(?![/*]))*', re.ASCII)
-"""Up to the end of a block or a comment; neither is in an expression of KSE."""
+_VERBS = ("enter", "skip", "repeat", "leave", "start", "finish")
+_LABEL = re.compile(r"[0-9]+(?:\.[0-9]+)*", re.ASCII)
 _TERM_WITH_STATES = re.compile(r"[^\w\s]", re.ASCII)
 _AFTER_SOURCE = ("repeat", "leave", "finish")
 """The verbs of transitions that begin in the state of the term."""
@@ -77,19 +73,40 @@ def _may_be_foreign(item: Diagnostic, span: Span) -> bool:
 def _lines(source: Source, declarations: Iterable[tree.Declaration]) -> Iterator[_Line]:
     """The lines of control that hold an expression of KSE."""
     composites = _composites(declarations)
-    heads = list(_HEAD.finditer(source.text))
-    for number, head in enumerate(heads):
-        last = heads[number + 1].start() if number + 1 < len(heads) else len(source.text)
-        found = _END.match(source.text, head.end(), min(last, head.end() + _MOST))
-        text = "" if found is None else found[0]
-        start = head.end() + len(text) - len(text.lstrip())
-        if _SURE.search(text) is not None:
-            term = (head["term"] or "").strip()
-            is_composite = head["source"] in composites or (
-                head["verb"] in _AFTER_SOURCE
-                and (_TERM_WITH_STATES.search(term) is not None or term in composites)
+    read = clean(source)
+    tokens = read.tokens
+    heads = [(first, colon) for first in range(len(tokens)) if (colon := _colon(tokens, first)) is not None]
+    comments = [comment.span.start for comment in read.comments]
+    for number, (first, colon) in enumerate(heads):
+        after = tokens.ends[colon]
+        end = min((start for start in comments if start >= after), default=len(read.text))
+        following = heads[number + 1][0] if number + 1 < len(heads) else len(tokens)
+        following = min(following, tokens.at(min(end, after + _MOST)))
+        stop = next((index for index in range(colon + 1, following) if tokens.word(index) == "}"), following)
+        if stop == colon + 1:
+            continue
+        place = Span(source, tokens.starts[colon + 1], tokens.ends[stop - 1])
+        if _SURE.search(place.text) is not None:
+            verb, term = tokens.word(first), read.text[tokens.ends[first] : tokens.starts[colon]].strip()
+            is_composite = verb in composites or (
+                verb in _AFTER_SOURCE and (_TERM_WITH_STATES.search(term) is not None or term in composites)
             )
-            yield _Line(Span(source, start, head.end() + len(text.rstrip())), is_composite)
+            yield _Line(place, is_composite)
+
+
+def _colon(tokens: Tokens, first: int) -> int | None:
+    """The token `:` behind the term, or the labels, of a line of control that begins at a token."""
+    if not tokens.begins_line(first) and tokens.word(first - 1) != "{":
+        return None
+    is_labelled = _LABEL.fullmatch(tokens.word(first)) is not None and tokens.word(first + 1) == "->"
+    if tokens.word(first) not in _VERBS and not is_labelled:
+        return None
+    index = first + 1
+    while index < len(tokens) and not tokens.begins_line(index):
+        if tokens.word(index) == ":":
+            return index
+        index += 1
+    return None
 
 
 def _composites(declarations: Iterable[tree.Declaration]) -> frozenset[str]:
