@@ -349,3 +349,29 @@ def test_a_role_that_is_called_as_an_actor_is_added(here: Here) -> None:
     new = changed(TURNS, ("team T {", "srm coach { liveness { coach = A } }\nteam T {"))
     done = compare(here, TURNS, new)
     assert (done.code, "+ role coach" in done.out) == (1, True), done.out
+
+
+CHART = """\
+system D
+statechart s {
+  state 0 OR  state 0.1 START  state 0.2 AND
+  state 0.2.1 OR  state 0.2.1.1 START  state 0.2.1.2 BASIC A1  state 0.2.1.3 BASIC A2
+  state 0.2.2 OR  state 0.2.2.1 START  state 0.2.2.2 BASIC B1  state 0.2.2.3 BASIC B2
+  0.1 -> (0.2.1.3, 0.2.2.3) :
+  0.2.1.1 -> 0.2.1.2 :  0.2.1.2 -> 0.2.1.3 :  0.2.2.1 -> 0.2.2.2 :  0.2.2.2 -> 0.2.2.3 :
+  0.2 -> 0.2 : after(9s)
+}
+"""
+
+
+@pytest.mark.parametrize("instead", ["(0.2.1.3, 0.2.2.2)", "0.2", "0.2.2.3"])
+def test_statecharts_are_compared_as_the_roles_of_formulas(here: Here, instead: str) -> None:
+    done = compare(here, CHART, CHART.replace("(0.2.1.3, 0.2.2.3)", instead))
+    assert done.code == 1
+    assert "the behaviour is different" in done.out
+    assert "role s: different" in done.out
+
+
+def test_the_order_of_several_targets_is_no_difference(here: Here) -> None:
+    done = compare(here, CHART, CHART.replace("(0.2.1.3, 0.2.2.3)", "(0.2.2.3, 0.2.1.3)"))
+    assert "no difference in behaviour" in done.out

@@ -70,8 +70,8 @@ def behaviour_of(
     """
     assert old.system is not None and new.system is not None
     names = structure.names
-    roles = [(_before(item.name, names.get("role", {})), item.name) for item in new.system.srms]
-    known = {item.name for item in old.system.srms}
+    roles = [(_before(item.name, names.get("role", {})), item.name) for item in new.system.iacs]
+    known = {item.name for item in old.system.iacs}
     roles = [(one, other) for one, other in roles if one in known]
     if structure.only_names:
         return tuple(
