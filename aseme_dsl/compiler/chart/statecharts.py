@@ -132,8 +132,10 @@ def read_statechart(
             continue
         target, *others = entry.targets
         problem = targets_problem(nodes, entry.targets) if others else None
-        if problem is None:
-            entered = nodes[around_all(entry.targets)]
+        entered = nodes.get(around_all(entry.targets))
+        if problem is None and entered is None:
+            continue  # that it is missing is said (E410, E600)
+        if problem is None and entered is not None:
             problem = structure_problem(nodes, nodes[entry.source.text], entered, entry.ends)
         if problem is not None:
             found.append(problem)

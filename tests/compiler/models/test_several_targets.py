@@ -79,6 +79,31 @@ def test_the_targets_are_underlined_and_the_and_is_the_target() -> None:
     assert "^" * len("0.2.1.2, 0.2.1.3") in found.splitlines()[2]
 
 
+@pytest.mark.parametrize(
+    ("missing", "found"),
+    [
+        ("  state 0.2 AND\n", ["E410"]),
+        ("  state 0.2.1 OR\n", ["E410"]),
+        ("  state 0.2.1.3 OR\n", ["E410"]),
+        ("  state 0 OR\n", ["E600"]),
+    ],
+)
+def test_a_state_that_is_missing_is_said_alone(missing: str, found: list[str]) -> None:
+    text = PAIR.format(line="0.4 -> (0.2.1.3.2, 0.2.2.2) : e")
+    assert missing in text
+    assert set(found) <= set(codes(text.replace(missing, ""))) <= {"E410", "E600", "W602"}
+
+
+def test_targets_of_two_roots() -> None:
+    text = PAIR.format(line="state 1 OR  state 1.1 START  state 1.2 BASIC Z  0.4 -> (0.2.1.2, 1.2) : e")
+    assert "E600" in codes(text)
+
+
+@pytest.mark.parametrize("targets", ["()", "(0.2.1.2", "(0.2.1.2,)", "(0.2.1.2 0.2.2.2)", "0.2.1.2, 0.2.2.2"])
+def test_what_is_no_list_of_targets(targets: str) -> None:
+    assert codes(PAIR.format(line=f"0.4 -> {targets} : e"))[0] == "E100"
+
+
 def test_a_formula_has_transitions_with_one_target() -> None:
     text = """system S
 srm r {
