@@ -11,6 +11,7 @@ import shutil
 import subprocess
 import sys
 import tarfile
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -297,6 +298,30 @@ def test_a_build_without_its_activities_warns(project: Path) -> None:
     shutil.copytree(project / "out", project.parent / "alone")
     done = asemec("node", "ann", "--from", project.parent / "alone", "--for", "300ms")
     assert "warning[W201]" in done.err and "for Say: the agent simulates them" in done.err
+
+
+def test_a_bundle_brings_its_python_packages(project: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from aseme_dsl.project.deploying import install
+    from aseme_dsl.project.deploying.bundle import make_bundle
+    from aseme_dsl.project.settings.configuration import read_configuration
+
+    assert asemec("build").code == 0
+    out = io.BytesIO()
+    with zipfile.ZipFile(out, "w") as file:
+        about = "hallo-1.0.dist-info"
+        file.writestr("hallo.py", "print('hallo')\n")
+        file.writestr(f"{about}/METADATA", "Metadata-Version: 2.1\nName: hallo\nVersion: 1.0\n")
+        file.writestr(f"{about}/WHEEL", "Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n")
+        file.writestr(
+            f"{about}/RECORD", f"hallo.py,,\n{about}/METADATA,,\n{about}/WHEEL,,\n{about}/RECORD,,\n"
+        )
+    configuration, _ = read_configuration(Path("pyproject.toml"))
+    wheels = {"hallo-1.0-py3-none-any.whl": out.getvalue()}
+    bundle = make_bundle("Field", ["ann"], Path("out"), Path("activities"), configuration, wheels)
+    Path("bundle.tar.gz").write_bytes(bundle.archive)
+    version = install.install(Path("bundle.tar.gz"), Path("to"))  # a relative path, as over ssh
+    python = Path("to", "versions", version, ".venv", "bin", "python")
+    assert subprocess.run([python, "-m", "hallo"], capture_output=True, text=True).stdout == "hallo\n"
 
 
 @pytest.mark.parametrize("name", ["../evil", "/tmp/evil", "a/../../evil", "link"])

@@ -48,6 +48,7 @@ class InstallError(Exception):
 def install(archive: Path, to: Path, private: Iterable[Path] = ()) -> str:
     """Unpack and activate a bundle; its version. Raises InstallError."""
     to.mkdir(parents=True, exist_ok=True)
+    to = to.resolve()  # pip runs in another folder
     for file in private:
         _unpack_private(file, to / "private")
     version = _unpack(archive, to / "versions")
