@@ -284,6 +284,15 @@ def test_a_certificate_that_the_others_would_refuse_is_refused_at_the_start(proj
         (folder / name).write_bytes(content)
 
 
+def test_a_file_of_hosts_in_the_project_is_in_the_bundle_and_one_elsewhere_is_not(project: Path) -> None:
+    for number, place in enumerate((Path("hosts.toml"), project.parent / "hosts.toml")):
+        place.write_text('ann = "127.0.0.1"\nbob = "10.9.9.9"\n')
+        hosts = 'hosts = { ann = "127.0.0.1:7601", bob = "10.9.9.9" }'
+        (project / "pyproject.toml").write_text(PROJECT.replace(hosts, f'hosts = "{place}"'))
+        assert asemec("deploy", "-o", f"to{number}").code == 0
+        assert ("hosts.toml" in contents(archive_in(project / f"to{number}"))) is (number == 0)
+
+
 def test_requirements_that_are_not_met_are_reported(project: Path) -> None:
     (project / "requirements.txt").write_text("click==1.0\nnever-there==2.0 --hash=sha256:00\n")
     assert asemec("deploy", "ann").code == 0

@@ -117,7 +117,7 @@ class Ears:
         self.wrong.append(f"{sender}: {reason}")
 
     def appeared(self, agent: str, incarnation: int) -> None:
-        if agent != self.name or incarnation != LIFE[agent]:  # not our own token
+        if agent != self.name or incarnation != LIFE.get(agent, 0xC3):  # not our own token
             self.news.append(f"{agent} {incarnation:x} appeared")
 
     def vanished(self, agent: str, incarnation: int) -> None:
@@ -293,3 +293,38 @@ def test_nothing_is_possible_with_a_certificate_for_another_name(
 
 ALLOWED = {'control {"version":1,"request":"stop"}'}
 """An operator's certificate may ask for control. The robot then asks for the key (`test_operator_key`)."""
+
+
+@pytest.mark.parametrize(("authority", "meets"), [("team", True), ("other", False)])
+def test_of_agents_that_are_looked_for_the_certificate_counts_not_the_address(
+    certificates: Path, authority: str, meets: bool
+) -> None:
+    """With `interface`, nothing says at which address an agent is: its certificate need not name one."""
+    from aseme_dsl.project.deploying import certificates as made
+    from aseme_dsl.project.settings.deployment import TlsFiles
+    from aseme_dsl.runtime.transport.over_zenoh import ZenohLink
+
+    place = certificates / authority
+    files = made.Files(TlsFiles(place / "authority.pem", place / "ROBOT.pem", place / "ROBOT.key"))
+    made.make(files, {"roaming": ()}, "team")
+    with socket.socket() as one:
+        one.bind(("127.0.0.1", 0))
+        port = one.getsockname()[1]
+    team = ("ann", "roaming")
+    links = []
+    ears = {name: Ears(name) for name in team}
+    for name, ends in (("roaming", {"listen": (f"tls/127.0.0.1:{port}",)}), ("ann", {})):
+        own = authority if name == "roaming" else "team"
+        ends = ends or {"connect": (f"tls/127.0.0.1:{port}",)}
+        network = Network(interface="lo", tls=tls(certificates, name, own), robot=name, team=team, **ends)  # type: ignore[arg-type]
+        links.append(ZenohLink(SYSTEM, network))
+        links[-1].open([name], LIFE.get(name, 0xC3), ears[name])  # type: ignore[arg-type]
+    try:
+        if meets:
+            wait_until(lambda: ears["ann"].news == ["roaming c3 appeared"])
+        else:
+            time.sleep(2.0)
+            assert ears["ann"].news == []
+    finally:
+        for link in links:
+            link.close()

@@ -181,6 +181,19 @@ class NoRoleForBackend(Problem):
         return f"the roles are {', '.join(self.others) or 'none'}"
 
 
+class HostsNotRead(Problem):
+    """`reason`: what is wrong with the file `path`, which `hosts` names."""
+
+    code = "E010"
+    path: str
+    reason: str
+    hint = 'it has a line for each agent, such as `robot1 = "192.168.1.11"`'
+
+    @property
+    def message(self) -> str:
+        return f"the file {self.path} of `hosts` {self.reason}"
+
+
 # ---- E015, E016: the network -------------------------------------------------------------------
 
 

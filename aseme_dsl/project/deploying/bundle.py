@@ -190,7 +190,7 @@ def _project_files(
             rules = sorted(access.parent.glob(f"{start}*{end}"))
         for path in rules:
             yield _place(path, configuration), path
-    if deploy.hosts_file is not None:
+    if deploy.hosts_file is not None and deploy.hosts_file.resolve().is_relative_to(folder.resolve()):
         yield _place(deploy.hosts_file, configuration), deploy.hosts_file
     for pattern in deploy.include:
         found = [path for path in sorted(folder.glob(pattern)) if path.is_file()]

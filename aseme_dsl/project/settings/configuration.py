@@ -14,7 +14,7 @@ from aseme_dsl.diagnostics.problems import settings as problems
 from aseme_dsl.diagnostics.problems.files import CannotBeRead, NotUtf8
 from aseme_dsl.diagnostics.problems.settings import Fitting
 from aseme_dsl.project.files.duration import duration
-from aseme_dsl.project.settings.deployment import Deployment, TlsFiles, network_mistakes
+from aseme_dsl.project.settings.deployment import Deployment, HostsOfFile, TlsFiles, network_mistakes
 from aseme_dsl.project.settings.platform_settings import PLATFORMS, MangoConfiguration, SpadeConfiguration
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.message.by_name import made
@@ -234,6 +234,11 @@ def _keys(folder: Path) -> dict[str, _Convert | _Table | _Policy]:
             raise _Wrong(Fitting.PATHS)
         return tuple(folder / item for item in value)
 
+    def hosts(value: object) -> dict[str, str]:
+        if not _is_path(value):
+            return _hosts(value)
+        return _hosts_in(folder / value)
+
     return {
         "files": paths,
         "output": path,
@@ -284,7 +289,7 @@ def _keys(folder: Path) -> dict[str, _Convert | _Table | _Policy]:
         "deploy": _Table(
             Deployment,
             {
-                "hosts": _hosts,
+                "hosts": hosts,
                 "interface": _interface,
                 "connect": _endpoints,
                 "lease": _duration,
@@ -395,6 +400,20 @@ def _hosts(value: object) -> dict[str, str]:
     ):
         raise _Wrong(Fitting.ADDRESSES)
     return dict(value)
+
+
+def _hosts_in(path: Path) -> HostsOfFile:
+    """The hosts in a TOML file of their own: `robot1 = "192.168.1.11"`."""
+    import tomllib
+
+    try:
+        document = tomllib.loads(outside.read_bytes(path, _LARGEST).decode("utf-8"))
+        return HostsOfFile(path, _hosts(document))
+    except OSError as problem:
+        reason = f"cannot be read: {problem.strerror or problem}"
+    except (ValueError, RecursionError) as problem:
+        reason = "is not a table of hosts" if isinstance(problem, _Wrong) else f"is not valid TOML: {problem}"
+    raise _Wrong(problem=problems.HostsNotRead(str(path), reason))
 
 
 def _hosts_with_ports(value: object) -> dict[str, str]:

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import contextlib
+import ipaddress
+import re
+import socket
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import field
 from pathlib import Path
@@ -88,7 +92,7 @@ def network_of(deployment: Deployment | None, robot: str, team: Iterable[str] = 
     interface = deployment.interface
     listen: tuple[str, ...] = ()
     if own is not None:
-        listen = (f"{protocol}/{_with_port(own)}",)
+        listen = (f"{protocol}/{_listening(_with_port(own))}",)
     elif interface is not None and robot != OPERATOR:
         listen = (f"{protocol}/0.0.0.0:0#iface={interface}",)
     others = [f"{protocol}/{_with_port(host)}" for name, host in deployment.hosts.items() if name != robot]
@@ -138,6 +142,24 @@ def misfits(deployment: Deployment, agents: Iterable[str], path: str) -> Iterato
         for robot in names:
             if robot not in deployment.hosts:
                 yield AgentWithoutHost(path, robot)
+
+
+def _listening(end: str) -> str:
+    """Where a robot listens whose host is `end`: a name stands for its address that this machine has.
+
+    A machine often takes its own name for a loopback address, or does not know it. It then listens on all of
+    its addresses.
+    """
+    host, _, port = end.rpartition(":")
+    if host.startswith("[") or host == "localhost" or re.fullmatch(r"[\d.]+", host):
+        return end
+    with contextlib.suppress(OSError, UnicodeError):
+        for family, kind, _, _, (address, *_) in socket.getaddrinfo(host, 0, type=socket.SOCK_DGRAM):
+            if not ipaddress.ip_address(address).is_loopback:
+                with contextlib.suppress(OSError), socket.socket(family, kind) as tried:
+                    tried.bind((address, 0))
+                    return f"[{address}]:{port}" if ":" in str(address) else f"{address}:{port}"
+    return f"0.0.0.0:{port}"
 
 
 def host_of(host: str) -> str:

@@ -126,3 +126,47 @@ def test_a_deployment_fits_its_team(tmp_path: Path) -> None:
         "pyproject.toml: there is no agent robot9 in the team; there are robot1, robot2",
         "pyproject.toml: no agent would find robot2: it has no host, and there is no interface to look on",
     ]
+
+
+def test_hosts_may_stand_in_a_file_of_their_own(files: Path) -> None:
+    text = '[tool.asemec.deploy]\nhosts = "hosts.toml"\n' + TLS
+    (files / "hosts.toml").write_text('robot1 = "10.0.0.2:7448"\nrobot2 = "robot2.local"\n')
+    deployment, problems = read(files, text)
+    assert problems == ""
+    network = network_of(deployment, "robot1", ["robot1", "robot2"])  # type: ignore[arg-type]
+    assert network.listen == ("tls/10.0.0.2:7448",) and network.connect == ("tls/robot2.local:7447",)
+    for content, said in (
+        ("robot1 = 5", "of `hosts` is not a table of hosts"),
+        ("robot1", "of `hosts` is not valid TOML"),
+        (None, "of `hosts` cannot be read: No such file"),
+    ):
+        (files / "hosts.toml").unlink()
+        if content is not None:
+            (files / "hosts.toml").write_text(content)
+        else:
+            text = text.replace("hosts.toml", "other.toml")
+        deployment, problems = read(files, text)
+        assert "error[E010]" in problems and said in problems
+        (files / "hosts.toml").touch()
+
+
+@pytest.mark.parametrize(
+    ("found", "listens"),
+    [
+        (["127.0.1.1"], "0.0.0.0"),  # as Debian has it
+        (["192.0.2.7"], "0.0.0.0"),  # an address that this machine does not have
+        ([], "0.0.0.0"),
+    ],
+)
+def test_an_agent_whose_host_is_a_name_listens_where_this_machine_can(
+    files: Path, monkeypatch: pytest.MonkeyPatch, found: list[str], listens: str
+) -> None:
+    import socket
+
+    kind = (socket.AF_INET, socket.SOCK_DGRAM, 0, "")
+    monkeypatch.setattr(socket, "getaddrinfo", lambda *_, **__: [(*kind, (one, 0)) for one in found])
+    deployment, _ = read(
+        files, '[tool.asemec.deploy]\nhosts = { robot1 = "one.local", robot2 = "two.local:7000" }\n' + TLS
+    )
+    network = network_of(deployment, "robot1", ["robot1", "robot2"])  # type: ignore[arg-type]
+    assert network.listen == (f"tls/{listens}:7447",) and network.connect == ("tls/two.local:7000",)
