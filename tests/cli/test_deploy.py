@@ -258,6 +258,9 @@ def test_of_an_incomplete_or_altered_bundle_nothing_starts(project: Path) -> Non
     (folder / "activities" / "more.py").write_text("")
     assert "activities/more.py has been added" in started(folder).err
     (folder / "activities" / "more.py").unlink()
+    (folder / "helping.py").write_text("")
+    assert asemec("deploy", "ann").code == 0  # as the hint says
+    assert "return 1" in (folder / "helping.py").read_text()
     done = started(folder, "bob")
     assert done.code == 1 and "certificates/bob.key is missing" in done.err
     # Only the output folder, as O4 had it.

@@ -57,7 +57,7 @@ for key in ("to/bob/**", "to/ann/**", "to/*/*/**", "**"):
 def answer(query):
     if query.payload is not None and query.payload.to_bytes() == b"own":
         asked.append(str(query.key_expr))
-    mark = envelopes.written(Envelope(0, "", 0xB2), b"forged")
+    mark = envelopes.written(Envelope(0, incarnation=0xB2), b"forged")
     for what in ("history", "control"):
         for name in ("ann", "bob"):
             try:
@@ -74,7 +74,7 @@ print("= ready", flush=True)
 sys.stdin.readline()
 end = time.monotonic() + 1.0
 while time.monotonic() < end:
-    mark = envelopes.written(Envelope(0, "", 0xA1, channel="team.signal.M"), b"forged")
+    mark = envelopes.written(Envelope(0, incarnation=0xA1, channel="team.signal.M"), b"forged")
     for way in ("bob/ann", "ann/bob", "bob/bob", "*/*", "bob/*", "*/ann"):
         to, sender = way.split("/")
         for way in ("team/signal/M", "ping", "mail"):
@@ -125,7 +125,7 @@ class Ears:
 
     def asked(self, to: str, what: str, question: bytes) -> Iterable[Answer]:
         self.questions.append(f"{what} {question.decode()}")
-        yield Envelope(envelopes.ACKNOWLEDGE, "", LIFE[to], upto=1), OWN_ANSWER
+        yield Envelope(envelopes.ACKNOWLEDGE, incarnation=LIFE[to], upto=1), OWN_ANSWER
 
 
 @pytest.fixture(scope="module")
@@ -263,7 +263,7 @@ def test_nothing_is_possible_with_a_certificate_for_another_name(
         while not over.is_set():
             sent += 1
             for link, to, sender in ((ann, "bob", "ann"), (bob, "ann", "bob")):
-                envelope = Envelope(envelopes.MESSAGE, "", LIFE[sender], channel="team.signal.M")
+                envelope = Envelope(envelopes.MESSAGE, incarnation=LIFE[sender], channel="team.signal.M")
                 link.send(to, sender, "team/signal/M", envelope, Stamp(), b"own", True)  # type: ignore[attr-defined]
             for _, payload in ann.ask("bob", "history", b"own", 2.0):  # type: ignore[attr-defined]
                 answers.append(payload)

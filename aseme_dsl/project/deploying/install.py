@@ -95,6 +95,7 @@ def _unpack(archive: Path, versions: Path) -> str:
     """Unpack a bundle into a folder of its version, if it is not there, and check it."""
     versions.mkdir(exist_ok=True)
     part = versions / f".part-{secrets.token_hex(4)}"
+    damaged: Path | None = None
     try:
         with tarfile.open(archive, "r:gz") as file:
             members = file.getmembers()
@@ -108,11 +109,13 @@ def _unpack(archive: Path, versions: Path) -> str:
                 target.chmod(0o755 if member.mode & 0o100 else 0o644)
         version = check(part)
         place = versions / version
-        if place.is_dir():
-            check(place)
-        else:
+        if not _is_complete(place):
             _make_environment(part)
+            if place.exists():
+                place.rename(damaged := place.with_name(f"{part.name}.damaged"))
             part.rename(place)
+            if damaged is not None:
+                shutil.rmtree(damaged, ignore_errors=True)
     except (OSError, tarfile.TarError, EOFError) as problem:
         raise InstallError(f"{archive} cannot be unpacked: {problem}") from problem
     finally:
@@ -188,6 +191,14 @@ def check(folder: Path) -> str:
     if wrong is not None:
         raise InstallError(f"{folder}: {wrong}")
     return found.version
+
+
+def _is_complete(folder: Path) -> bool:
+    try:
+        check(folder)
+    except InstallError:
+        return False
+    return True
 
 
 def _make_environment(folder: Path) -> None:

@@ -121,8 +121,8 @@ class Network:
             yield "transport/link/tls/connect_private_key", json.dumps(str(self.tls.key))
             yield "transport/link/tls/enable_mtls", "true"
             if self.interface is not None and self.access is None and self.team:
-                # Those that are found have any address. Who they are is what their certificate says, and the
-                # access rules go by that; they are as strict for whoever is connected to.
+                # Agents that are found have any address. The name in their certificates counts, and access
+                # rules go by that, on both sides of a connection.
                 yield "transport/link/tls/verify_name_on_connect", "false"
         if self.access is not None:
             text = _readable(self.access.file)
