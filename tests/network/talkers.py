@@ -148,12 +148,13 @@ class Talkers:
 
     def end(self) -> dict[str, Story]:
         """End all robots; what each of them has to tell."""
+        over = time.monotonic()
         for process in self.processes.values():
             process.send_signal(signal.SIGTERM)
         said = {robot: process.communicate(timeout=LONG)[0] for robot, process in self.processes.items()}
         for robot, text in said.items():
             assert "Traceback" not in text, f"{robot}: {text}"
-        return {robot: Story(robot, self.trace(robot)) for robot in self.processes}
+        return {robot: Story(robot, self.trace(robot), over) for robot in self.processes}
 
     def wait_for_talk(self, seconds: float = LONG) -> None:
         """Until each robot has heard each other one."""
@@ -176,8 +177,10 @@ class Talkers:
 class Story:
     """What a robot's trace tells, in seconds of the machines' clock."""
 
-    def __init__(self, robot: str, records: list[dict[str, Any]]) -> None:
+    def __init__(self, robot: str, records: list[dict[str, Any]], over: float) -> None:
+        """`over` is when the robots were told to end."""
         self.robot = robot
+        self.over = over
         self.records = records
         machine = records[0]["machine"]
         self.origin = machine["origin"]
@@ -224,11 +227,11 @@ class Story:
 
 
 def misdelivered(stories: Mapping[str, Story]) -> list[str]:
-    """The agent messages and signals that were lost, doubled or overtaken before the last second."""
+    """The agent messages and signals that were lost, doubled or overtaken, up to 2 s before the end."""
     found: list[str] = []
     for sender, to in ((a, b) for a in stories for b in stories if a != b):
         found += [f"{to}: {wrong}" for wrong in stories[to].misplaced(sender)]
-        last = max(stories[to].at(r) for r in stories[to].records if r["kind"] == "received") - 1.0
+        last = stories[to].over - 2.0
         sent = [
             (r["sequence"], stories[sender].at(r))
             for r in stories[sender].records
