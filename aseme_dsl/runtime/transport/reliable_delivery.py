@@ -35,7 +35,7 @@ from aseme_dsl.runtime.transport.delivery.clocks import clock_identity, clock_re
 from aseme_dsl.runtime.transport.delivery.codec import Codec
 from aseme_dsl.runtime.transport.delivery.inbox import Inbox
 from aseme_dsl.runtime.transport.delivery.records import Kept, Other, Sent, Way
-from aseme_dsl.runtime.transport.delivery.reports import lose, tell
+from aseme_dsl.runtime.transport.delivery.reports import OVERFLOW, lose, tell, tell_losses
 from aseme_dsl.runtime.transport.delivery.sending import (
     UNKNOWN,
     acknowledge_all,
@@ -140,6 +140,7 @@ class Post(Transport):
             for (_, name), way in state.ways.items():
                 flying, waiting = way.out.restart()
                 lose(state, name, (*flying, *waiting), "the run ended before it could be brought")
+            tell_losses(state, 0)
             for other in state.others.values():
                 if other.life is not None or other.counts:
                     counts = dict(sorted(other.counts.items())) or None
@@ -244,7 +245,7 @@ class Post(Transport):
             if not other.knows_us:
                 lose(state, to, [Letter(sent, 0)], UNKNOWN)
                 return
-            lose(state, to, way.out.put(Letter(sent, len(payload))), "too many wait for it")
+            lose(state, to, way.out.put(Letter(sent, len(payload))), OVERFLOW)
             pump(state, way, other)
 
     def carry_outside(self, message: FipaMessage, to: AgentIdentifier) -> bool:

@@ -692,3 +692,31 @@ def test_a_peer_that_comes_back_takes_part_again(who: str) -> None:
     bob.stop()
     reasons = [r["reason"] for r in other.of("conversation", what="gone", peer=name)]
     assert reasons == ["crashed", "failed"]
+
+
+def test_signals_that_are_too_many_are_counted_with_their_reason_and_the_sender_is_told(
+    talk: Generated, box: Box, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for module in ("stream", "delivery.reports"):
+        monkeypatch.setattr(f"aseme_dsl.runtime.transport.{module}.WAITING", 10)
+    air = Air()
+    ann = part(talk, ["ann"], box.activities, air.link()).start()
+    bob = part(talk, ["bob"], box.activities, air.link()).start()
+    wait_until(lambda: ann.team.transport.is_there("bob"))
+    air.cut.add(frozenset(("ann", "bob")))
+    bob.stop()
+    wait_until(lambda: not ann.team.transport.is_there("bob"))
+    box.say += [("team.signal.M", n, None) for n in range(110)]
+    wait_until(lambda: len(ann.of("message", channel="team.signal.M")) == 110)
+    ann.stop()
+    lost = [(r["reason"], r.get("number", 1)) for r in ann.of("lost", peer="bob")]
+    by_reason: dict[str, int] = {}
+    for reason, number in lost:
+        by_reason[reason] = by_reason.get(reason, 0) + number
+    assert by_reason == {
+        "too many messages wait for it": 100,
+        "the run ended before it could be brought": 10,
+    }
+    assert len(lost) < 10
+    told = [r["reason"] for r in ann.of("fault") if "wait for bob" in r["reason"]]
+    assert told == ["10 messages wait for bob: of team.signal.M, the oldest are dropped"]

@@ -114,6 +114,16 @@ class Other:
     told: set[tuple[str, str]] = field(default_factory=set)
 
 
+@dataclass(slots=True)
+class Losses:
+    """The signals of a channel that were lost for one reason since it was told last."""
+
+    latest: Sent
+    told: int
+    """When that was, in ns."""
+    number: int = 0
+
+
 @dataclass(frozen=True, slots=True)
 class Kept:
     """A state or a sample that is kept for those who come later."""

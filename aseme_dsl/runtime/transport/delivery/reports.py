@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Iterable
 
-from aseme_dsl.runtime.transport.delivery.records import Other, Sent
+from aseme_dsl.runtime.transport.delivery.records import Losses, Other, Sent
 from aseme_dsl.runtime.transport.delivery.state import Delivery
-from aseme_dsl.runtime.transport.stream import Letter
+from aseme_dsl.runtime.transport.stream import WAITING, Letter
 
+OVERFLOW = "too many messages wait for it"
+SUMMARY = 1_000_000_000
+"""How many signals were lost is told after so many ns."""
 LONGEST_NAME = 100
 """The trace has at most so many characters of a name that an untrusted sender gives."""
 
@@ -39,25 +43,57 @@ def tell_own(state: Delivery, agent: str, what: str, reason: str) -> None:
 
 
 def lose(state: Delivery, name: str, letters: Iterable[Letter[Sent]], reason: str) -> None:
-    """Tell what will not be brought to an agent. A state that a newer one replaces is none of it."""
-    now = state.now()
+    """Tell what will not be brought to an agent. A state that a newer one replaces is none of it.
+
+    Of the signals of one channel, which may be many, the first is told; of those that follow, how many.
+    Called with the lock.
+    """
     other = state.others[name]
     for letter in letters:
         sent = letter.item
         if sent.what in ("state", "data", "contract", "refused"):
             continue
         other.counts["lost"] = other.counts.get("lost", 0) + 1
-        envelope = sent.envelope
-        state.team.trace.write(
-            "lost",
-            now,
-            agent=sent.sender,
-            input=list(sent.identity),
-            peer=name,
-            channel=envelope.channel or None,
-            conversation=envelope.conversation or None,
-            reason=reason,
-        )
+        key = (sent.sender, name, sent.envelope.channel, reason)
+        losses = state.losses.get(key)
+        if losses is None:
+            state.losses[key] = Losses(sent, time.monotonic_ns())
+            if reason == OVERFLOW:
+                what = sent.envelope.channel or "agent messages"
+                text = f"{WAITING} messages wait for {name}: of {what}, the oldest are dropped"
+                state.team.trace.fault(state.now(), sent.sender, text)
+        if losses is None or sent.what != "signal":
+            _tell_lost(state, name, sent, reason)
+        else:
+            losses.latest, losses.number = sent, losses.number + 1
+            state.stir()
+
+
+def tell_losses(state: Delivery, pause: int = SUMMARY) -> bool:
+    """Tell how many signals were lost since it was told last; whether some are left. Called with the lock."""
+    now = time.monotonic_ns()
+    left = False
+    for (_, name, _, reason), losses in state.losses.items():
+        if losses.number and now - losses.told >= pause:
+            _tell_lost(state, name, losses.latest, reason, losses.number)
+            losses.told, losses.number = now, 0
+        left = left or losses.number > 0
+    return left
+
+
+def _tell_lost(state: Delivery, name: str, sent: Sent, reason: str, number: int = 1) -> None:
+    envelope = sent.envelope
+    state.team.trace.write(
+        "lost",
+        state.now(),
+        agent=sent.sender,
+        input=list(sent.identity),
+        peer=name,
+        channel=envelope.channel or None,
+        conversation=envelope.conversation or None,
+        reason=reason,
+        number=number if number > 1 else None,
+    )
 
 
 def meet_stranger(state: Delivery, name: str, what: str = "untrusted") -> None:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from aseme_dsl.runtime.message.wire import WireError
 from aseme_dsl.runtime.transport import envelope as envelopes
 from aseme_dsl.runtime.transport.delivery.records import Other, Sent, Way
-from aseme_dsl.runtime.transport.delivery.reports import lose
+from aseme_dsl.runtime.transport.delivery.reports import OVERFLOW, lose
 from aseme_dsl.runtime.transport.delivery.state import Delivery
 from aseme_dsl.runtime.transport.envelope import Envelope
 from aseme_dsl.runtime.transport.link import Stamp
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
 
 UNKNOWN = "it is of another build, which does not have its sender"
+REPLACED = "a newer one took its place before it could be sent"
 
 
 def encoded(state: Delivery, sender: str, what: str, message: object) -> bytes | None:
@@ -49,7 +50,9 @@ def dispatch(
     if sent.what == "signal" and not other.alive and not (rules is not None and rules.queued):
         replaces = key
     given_up = way.out.put(Letter(sent, len(sent.payload), replaces))
-    lose(state, other.name, given_up, "a newer one took its place before it could be sent")
+    for letter in given_up:
+        replaced = letter.replaces is not None and letter.replaces == replaces
+        lose(state, other.name, [letter], REPLACED if replaced else OVERFLOW)
     pump(state, way, other)
 
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from aseme_dsl.runtime.message.by_name import made
 from aseme_dsl.runtime.transport.delivery.archive import Archive
 from aseme_dsl.runtime.transport.delivery.codec import Codec
-from aseme_dsl.runtime.transport.delivery.records import Other, Way
+from aseme_dsl.runtime.transport.delivery.records import Losses, Other, Way
 from aseme_dsl.runtime.transport.envelope import Envelope
 from aseme_dsl.runtime.transport.heartbeats.heartbeats import Heartbeats
 from aseme_dsl.runtime.transport.link import Link
@@ -54,6 +54,8 @@ class Delivery:
         """How much has come from untrusted senders, and from senders without a name."""
         self.heartbeats: Heartbeats | None = None
         """None: the link has no addresses for them, and PINGs have to do."""
+        self.losses: dict[tuple[str, str, str, str], Losses] = {}
+        """What was lost, by sender, receiver, channel and reason."""
         self.refused = 0
         """How many refused heartbeats have been told."""
         self.watched_at = 0

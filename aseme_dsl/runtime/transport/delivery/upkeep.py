@@ -7,6 +7,7 @@ import time
 from aseme_dsl.runtime.transport.delivery.builds import compare, tell_numbers
 from aseme_dsl.runtime.transport.delivery.presence import PINGS, knock
 from aseme_dsl.runtime.transport.delivery.records import QUESTIONS, Other
+from aseme_dsl.runtime.transport.delivery.reports import tell_losses
 from aseme_dsl.runtime.transport.delivery.sending import (
     acknowledge,
     hand_over,
@@ -51,7 +52,7 @@ def keep_up(state: Delivery) -> None:
 
 def look_after(state: Delivery) -> bool:
     """Acknowledge, send again, measure clocks; whether that will soon be needed again."""
-    busy = False
+    busy = tell_losses(state)
     now = time.monotonic_ns()
     for (mine, name), way in state.ways.items():
         other = state.others[name]
