@@ -246,7 +246,7 @@ def test_an_agent_that_a_build_does_not_know_is_told_so(mouth: Mouth) -> None:
     bob = part(generate(OLD), ["bob"], mouth.activities, ZenohLink(name, Network())).start()
     wait_until(lambda: one.of("peer", what="rejected"))
     mouth.say += [("team.signal.M", said(new, n)) for n in range(3)]
-    wait_until(lambda: len(one.of("lost")) == 3)
+    wait_until(lambda: sum(r.get("number", 1) for r in one.of("lost")) == 3)
     assert not one.team.transport.is_there("bob")
     one.stop()
     bob.stop()

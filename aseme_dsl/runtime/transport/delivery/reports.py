@@ -11,7 +11,7 @@ from aseme_dsl.runtime.transport.stream import WAITING, Letter
 
 OVERFLOW = "too many messages wait for it"
 SUMMARY = 1_000_000_000
-"""How many signals were lost is told after so many ns."""
+"""The number of lost signals is recorded at most once in so many ns."""
 LONGEST_NAME = 100
 """The trace has at most so many characters of a name that an untrusted sender gives."""
 
@@ -45,8 +45,8 @@ def tell_own(state: Delivery, agent: str, what: str, reason: str) -> None:
 def lose(state: Delivery, name: str, letters: Iterable[Letter[Sent]], reason: str) -> None:
     """Tell what will not be brought to an agent. A state that a newer one replaces is none of it.
 
-    Of the signals of one channel, which may be many, the first is told; of those that follow, how many.
-    Called with the lock.
+    Of the signals of one channel, which may be many, the first is recorded, then their number. Called
+    with the lock.
     """
     other = state.others[name]
     for letter in letters:
