@@ -117,6 +117,9 @@ class PlatformLink:
             headers = acl_headers.letter(envelope, stamp, payload, sender, self._system)
             self._platform.send(sender, known.address, headers, payload.decode(), kept=False)
 
+    def renew(self, name: str) -> None:
+        """The platform does that."""
+
     def say(self, to: str, sender: str, message: FipaMessage) -> bool:
         """Send a message to the external agent at the address `to`; False if `to` is not an address."""
         if not self._platform.is_address(to):

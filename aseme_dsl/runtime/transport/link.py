@@ -111,6 +111,10 @@ class Link(Protocol):
         """
         ...
 
+    def renew(self, name: str) -> None:
+        """Make the connection to an agent again: it brings nothing, although the agent is there."""
+        ...
+
     def say(self, to: str, sender: str, message: FipaMessage) -> bool:
         """Send a message to the external agent at the address `to`; False if this link cannot reach it."""
         ...

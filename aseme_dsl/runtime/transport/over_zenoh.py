@@ -16,11 +16,13 @@ import json
 import os
 import re
 import secrets
+import socket
 import threading
 import weakref
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, nullcontext
 from functools import partial
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from aseme_dsl.runtime.transport import envelope as envelopes
@@ -47,6 +49,7 @@ _RUNTIME = "ZENOH_RUNTIME"
 CLOSINGS = 3
 MOST_THREADS = 32
 """Each part of zenoh has so many threads at most."""
+_DESCRIPTORS = Path("/proc/self/fd")
 _LIFE = re.compile("[0-9a-f]{1,16}")
 _NONCE_BYTES = 16
 _ASKERS = 256
@@ -260,6 +263,23 @@ class ZenohLink:
             )
             return found
 
+    def renew(self, name: str) -> None:
+        """Shut down the TCP connections to the agent with this certificate; zenoh makes them again.
+
+        Where a connection breaks while the one before it is still being closed, zenoh may keep one over which
+        it sends nothing (eclipse-zenoh/zenoh, issue 1886). It has no call by which to end that.
+        """
+        session = self._session
+        if session is None or not _DESCRIPTORS.is_dir():
+            return
+        with contextlib.suppress(self._zenoh.ZError):
+            links = [link for link in session.info.links() if link.auth_identifier == name]
+            ends = {(_place(link.src), _place(link.dst)) for link in links}
+            for descriptor in _DESCRIPTORS.iterdir() if ends else ():
+                with contextlib.suppress(OSError), socket.socket(fileno=os.dup(int(descriptor.name))) as one:
+                    if (one.getsockname()[:2], one.getpeername()[:2]) in ends:
+                        one.shutdown(socket.SHUT_RDWR)
+
     def say(self, to: str, sender: str, message: FipaMessage) -> bool:
         """False: over Zenoh there is only the team."""
         return False
@@ -341,6 +361,12 @@ class ZenohLink:
         if session is not None:
             session.close()
         self._kept.clear()
+
+
+def _place(locator: object) -> tuple[str, int]:
+    """The address and port of one end of a link."""
+    host, _, port = str(locator).partition("/")[2].partition("#")[0].partition("?")[0].rpartition(":")
+    return host.strip("[]"), int(port)
 
 
 def _first_line(problem: Exception) -> str:

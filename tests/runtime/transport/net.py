@@ -144,6 +144,9 @@ class _AirLink:
                 return list(end.hears.asked(to, what, question))
         return []
 
+    def renew(self, name: str) -> None:
+        pass
+
     def close(self) -> None:
         with self.air.lock:
             if self.mine in self.air.ends:

@@ -52,7 +52,7 @@ class Inbox:
             life, alive, knows = other.life, other.alive, other.knows_us
             if not is_current(self._state, other, envelope):
                 return
-            other.clock = envelope.clock
+            other.linked_at, other.clock = came, envelope.clock
             ready = accepted(self._state, to, other, envelope, payload, came)
             comes = other.alive and (not alive or other.life != life)
             turns_away = knows and not other.knows_us

@@ -89,7 +89,7 @@ def has_returned(state: Delivery, other: Other) -> bool:
 
 def come_back(state: Delivery, other: Other) -> None:
     """An agent that was unreachable is the same incarnation still. Called with the lock."""
-    other.alive, other.doubted_at = True, 0
+    other.alive, other.doubted_at, other.linked_at = True, 0, time.monotonic_ns()
     if state.heartbeats is not None:
         state.heartbeats.ask(other.name, False)
     tell(state, other, "reconnected")
@@ -143,7 +143,8 @@ def begin_life(state: Delivery, other: Other, life: int) -> None:
     first = other.life is None
     other.life, other.alive, other.clock = life, True, None
     other.measured.clear()
-    other.heard_at, other.ask_at = time.monotonic_ns(), 0
+    other.heard_at = other.linked_at = time.monotonic_ns()
+    other.ask_at = 0
     other.beats, other.doubted_at, other.parted = False, 0, False
     other.contracts.clear()
     other.readings.clear()

@@ -84,6 +84,8 @@ class Other:
     """The latest moment of our clock, in ns, at which it heard us, as an answer of it proves."""
     beats: bool = False
     """Whether heartbeats of this incarnation have come."""
+    linked_at: int = 0
+    """When something came over the link from it, or the link to it was renewed, in ns."""
     doubted_at: int = 0
     """When the link said that it is not there any more, in ns; 0: it is not doubted."""
     parted: bool = False

@@ -19,6 +19,8 @@ from aseme_dsl.runtime.transport.delivery.watching import watch
 
 BEAT = 0.02
 """How often, in seconds, acknowledgements are sent and what is overdue is looked for."""
+STALLED = 2
+"""A link over which nothing comes for so many leases, although heartbeats do, is renewed."""
 ASK_AGAIN = 5_000_000_000
 """How often, in ns, another machine's clock is measured again."""
 
@@ -46,8 +48,22 @@ def keep_up(state: Delivery) -> None:
                 else:
                     # What was just sent or came is looked after in a moment, not while it is answered.
                     state.rest.wait(BEAT)
+            stalled = [] if state.heartbeats is None else _stalled(state)
         if state.heartbeats is None:
             watch(state)
+        for name in stalled:
+            state.link.renew(name)
+
+
+def _stalled(state: Delivery) -> list[str]:
+    """The agents whose heartbeats come, but nothing over the link although they are asked. With the lock."""
+    assert state.lease is not None
+    now = time.monotonic_ns()
+    before = now - STALLED * state.lease
+    found = [one for one in state.others.values() if one.alive and one.beats and one.linked_at < before]
+    for other in found:
+        other.linked_at = now
+    return [other.name for other in found]
 
 
 def look_after(state: Delivery) -> bool:
