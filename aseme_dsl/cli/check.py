@@ -42,6 +42,13 @@ _INSTALL_Z3 = 'pip install "aseme-dsl[check]"'
 @click.option("--strict", is_flag=True, help="Exit with 1 for warnings and holes, too.")
 @click.option("--fix", "mend", is_flag=True, help="Apply unambiguous fixes to the files.")
 @click.option("--diff", is_flag=True, help="With --fix: print the changes, do not write them.")
+@click.option(
+    "--compatible-with",
+    "old",
+    metavar="OLD",
+    help="Also compare with another version: which messages robots of the two builds refuse. OLD is a file, a"
+    " project, the output of a build or a git revision. Exit with 1 if some are.",
+)
 @watch_option
 @report_options("-o", "--output")
 @colour_option
@@ -50,6 +57,7 @@ def command(
     strict: bool,
     mend: bool,
     diff: bool,
+    old: str | None,
     watch: bool,
     form: str | None,
     as_json: bool,
@@ -66,6 +74,8 @@ def command(
         raise click.UsageError("--diff prints changes, not a report: not with --format or -o.")
     if mend and "-" in targets:
         raise click.UsageError("--fix changes files: not with standard input.")
+    if old is not None and (mend or watch or "-" in targets or form not in ("text", "json")):
+        raise click.UsageError("--compatible-with compares files: not with --fix, --watch or a report.")
     if watch:
         from aseme_dsl.cli import watching
 
@@ -76,6 +86,8 @@ def command(
     inputs = inputs_of(targets, standard_input)
     if not mend:
         checked = check(inputs)
+        if old is not None and not has_errors(checked.diagnostics):
+            return _compare(checked, old, form, report, colour, strict)
         failed = _report(checked, None, form, report, colour, strict)
         return int(failed or _is_bad(checked, strict))
     from aseme_dsl.project.editing.fix import difference, fix, write_fixed
@@ -91,6 +103,32 @@ def command(
         return 1
     failed = _report(fixed.checked, fixed, form, report, colour, strict)
     return int(failed or _is_bad(fixed.checked, strict))
+
+
+def _compare(checked: Checked, old: str, form: str, file: Path | None, colour: str, strict: bool) -> int:
+    """Print the diagnostics, and what robots of an older version refuse; 1 if that is anything."""
+    from aseme_dsl.cli.shared import print_json, refuse
+    from aseme_dsl.project.comparing.compatible import as_json, compatibility, lines
+    from aseme_dsl.project.comparing.versions import NotAVersion, opened
+
+    systems = [one.system for one in checked.compiled if one.system is not None]
+    if len(systems) != 1:
+        raise click.UsageError(f"--compatible-with compares one system, and there are {len(systems)}.")
+    try:
+        with opened(old, str(checked.files[0])) as version:
+            if version.system is None:
+                return refuse(version.diagnostics, form == "json", colour)
+            found = compatibility(version.system, systems[0])
+    except NotAVersion as problem:
+        raise click.UsageError(f"{problem}.") from problem
+    failed = False
+    if form == "json" and file is None:
+        print_json({**_json(checked, None), "compatibility": as_json(found)})
+    else:
+        failed = _report(checked, None, form, file, colour, strict)
+        for line in lines(found, old):
+            click.echo(line)
+    return int(failed or bool(found.incompatible) or _is_bad(checked, strict))
 
 
 def _once(targets: tuple[str, ...], workshop: Workshop) -> Done:

@@ -14,6 +14,7 @@ from aseme_dsl.cli.shared import FilePath, Refused, colour_option, json_option, 
 from aseme_dsl.diagnostics import Severity, has_errors
 
 if TYPE_CHECKING:
+    from aseme_dsl.project.comparing.compatible import Compatibility
     from aseme_dsl.project.comparing.report import Report
     from aseme_dsl.project.comparing.versions import Compiled
 
@@ -88,6 +89,7 @@ def command(
 ) -> int:
     """Compare; 1 if something is different or a file has errors, 3 if something is undecided."""
     from aseme_dsl.project.comparing.behaviour import behaviour_of
+    from aseme_dsl.project.comparing.compatible import compatibility
     from aseme_dsl.project.comparing.elements import elements_of
     from aseme_dsl.project.comparing.report import Report
     from aseme_dsl.project.comparing.structure import changes_of
@@ -121,7 +123,7 @@ def command(
             progress.end()
         report = Report(first, second, structure, results)
         pictures = _draw(report, first, second, folder) if folder is not None else ()
-        _print(report, pictures, format_, as_json)
+        _print(report, pictures, format_, as_json, compatibility(first.system, second.system))
         return code_of(report)
 
 
@@ -156,16 +158,24 @@ def _draw(report: Report, old: Compiled, new: Compiled, folder: str) -> tuple[st
     return tuple(written)
 
 
-def _print(report: Report, pictures: tuple[str, ...], format_: str, as_json: bool) -> None:
+def _print(
+    report: Report, pictures: tuple[str, ...], format_: str, as_json: bool, messages: Compatibility
+) -> None:
+    from aseme_dsl.project.comparing import compatible
     from aseme_dsl.project.comparing.markdown import markdown
     from aseme_dsl.project.comparing.report import as_json as to_json
     from aseme_dsl.project.comparing.report import lines
 
     if as_json:
-        print_json({**to_json(report), "pictures": list(pictures)})
+        compared = compatible.as_json(messages)
+        print_json({**to_json(report), "pictures": list(pictures), "compatibility": compared})
         return
     for line in lines(report) if format_ == "text" else markdown(report, pictures):
         click.echo(line)
+    if messages.incompatible:
+        refused = ", ".join(f"{item.kind} {item.name}" for item in messages.incompatible)
+        click.echo(f"\nrobots of the two versions refuse messages of each other: {refused}")
+        click.echo("for details: asemec check --compatible-with OLD")
     if format_ == "text" and pictures:
         click.echo(f"\ndrawn: {', '.join(pictures)}")
 

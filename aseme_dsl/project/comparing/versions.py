@@ -1,13 +1,15 @@
-"""Versions: a file, a project's folder or a git revision, as the models of one system."""
+"""Versions: a file, a folder of a project or a build, or a git revision, as the models of one system."""
 
 from __future__ import annotations
 
+import ast
 import subprocess
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path, PurePosixPath
 from tempfile import TemporaryDirectory
 
+from aseme_dsl import outside
 from aseme_dsl.amola.system import System
 from aseme_dsl.compiler.phases import inspect_files
 from aseme_dsl.diagnostics import Diagnostic, has_errors
@@ -41,13 +43,19 @@ class Compiled:
 
 @contextmanager
 def opened(name: str, path: str | None = None) -> Iterator[Compiled]:
-    """The version that a name means, as long as it is looked at: a file, a folder, or a git revision.
+    """The version that a name means, as long as it is looked at: a file, a folder of a project or of a
+    build, or a git revision.
 
     Of a revision, `path` is the file or folder; `REVISION:PATH` names both.
 
     Raises:
         NotAVersion: it is none, or not of one system.
     """
+    built = sorted(Path(name).glob("monas/*/__init__.py")) if Path(name).is_dir() else []
+    if built:
+        with TemporaryDirectory(prefix="asemec-diff-") as folder:
+            yield _compiled(name, _sources_of_build(built, Path(folder).resolve(), name))
+        return
     if Path(name).exists():
         yield _compiled(name, Path(name))
         return
@@ -69,6 +77,31 @@ def _compiled(name: str, place: Path) -> Compiled:
     configuration, problems = configuration_for(root)
     found = inspect_files(root, None, options_of(configuration)).analysis
     return Compiled(name, root, configuration, found.system, (*problems, *found.diagnostics))
+
+
+def _sources_of_build(built: list[Path], folder: Path, name: str) -> Path:
+    """Write the files of which a build was made into a folder; the place of the file with the system."""
+    if len(built) > 1:
+        raise NotAVersion(f"{name} contains the builds of {len(built)} systems: name the folder of one")
+    values: dict[str, object] = {}
+    try:
+        for item in ast.parse(outside.read_bytes(built[0]).decode()).body:
+            if isinstance(item, ast.Assign) and isinstance(item.targets[0], ast.Name):
+                with suppress(ValueError):
+                    values[item.targets[0].id] = ast.literal_eval(item.value)
+    except (OSError, ValueError, SyntaxError, RecursionError, MemoryError) as problem:
+        raise NotAVersion(f"{built[0]} cannot be read: {problem}") from problem
+    sources, root = values.get("SOURCES"), values.get("SOURCE")
+    if not isinstance(sources, dict) or root not in [PurePosixPath(str(path)).name for path in sources]:
+        raise NotAVersion(f"{built[0]} does not have the files that it was made of")
+    for path, text in sources.items():
+        inside = PurePosixPath(str(path))
+        if inside.is_absolute() or ".." in inside.parts:
+            raise NotAVersion(f"{built[0]} was made of {path}, which is outside of its folder")
+        target = folder / inside
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(str(text), encoding="utf-8")
+    return next(folder / str(path) for path in sources if PurePosixPath(str(path)).name == root)
 
 
 # ---- git ---------------------------------------------------------------------------------------------

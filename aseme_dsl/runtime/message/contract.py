@@ -227,6 +227,16 @@ def _read_field(field: FieldDescriptorProto, short: Mapping[str, str], is_durati
 # ---- of two builds -----------------------------------------------------------------------------
 
 
+@dataclass(frozen=True, slots=True)
+class Objection:
+    """Why a message is not read: what is wrong, and in which messages, with the field if it is of one."""
+
+    reason: str
+    mine: str
+    theirs: str
+    field: str = ""
+
+
 @dataclass(frozen=True)
 class Reading:
     """How one build reads what another one sends."""
@@ -239,19 +249,21 @@ class Reading:
     """Why a conversation of a protocol is not possible; it is the same both ways."""
     zeros: frozenset[tuple[str, str]]
     """Fields, as (message, field), that are `optional` here and not there: not sent is zero, not absent."""
+    objections: Mapping[str, Objection]
+    """What is wrong with each of `messages`."""
 
 
 def reading(reader: Contract, sender: Contract) -> Reading:
     """How a build reads what another one sends."""
     there = _Comparison(reader, sender)
     back = _Comparison(sender, reader)
-    messages = {name: reason for name in sender.messages if (reason := there.message(name, name))}
+    objections = {name: found for name in sender.messages if (found := there.message(name, name))}
     channels: dict[str, str] = {}
     for name, (message, queued) in sender.channels.items():
         if name not in reader.channels:
             channels[name] = "there is no such channel"
-        elif message in messages:
-            channels[name] = messages[message]
+        elif message in objections:
+            channels[name] = objections[message].reason
         elif reader.channels[name][1] != queued:
             channels[name] = "its signals queue" if queued else "its signals do not queue"
     protocols: dict[str, str] = {}
@@ -261,10 +273,9 @@ def reading(reader: Contract, sender: Contract) -> Reading:
         elif reader.protocols[name].automata != exchange.automata:
             protocols[name] = "its participants say something else, or in another order"
         else:
-            wrong = (
-                (item, there.message(item, item) or back.message(item, item)) for item in exchange.messages
-            )
-            reason = next((f"{item}: {text}" for item, text in wrong if text), "")
+            wrong = [(item, there.message(item, item)) for item in exchange.messages]
+            wrong += [(item, back.message(item, item)) for item in exchange.messages]
+            reason = next((f"{item}: {what.reason}" for item, what in wrong if what is not None), "")
             if reason:
                 protocols[name] = reason
     zeros = {
@@ -275,7 +286,8 @@ def reading(reader: Contract, sender: Contract) -> Reading:
         and (theirs := sender.messages.get(name, {}).get(key)) is not None
         and not theirs.label
     }
-    return Reading(channels, messages, protocols, frozenset(zeros))
+    reasons = {name: found.reason for name, found in objections.items()}
+    return Reading(channels, reasons, protocols, frozenset(zeros), objections)
 
 
 class _Comparison:
@@ -284,57 +296,77 @@ class _Comparison:
     def __init__(self, reader: Contract, sender: Contract) -> None:
         self._reader = reader
         self._sender = sender
-        self._known: dict[tuple[str, str], str] = {}
+        self._known: dict[tuple[str, str], Objection | None] = {}
 
-    def message(self, mine: str, theirs: str) -> str:
-        """Why a message is not read as one of the reader's; empty if it is."""
+    def message(self, mine: str, theirs: str) -> Objection | None:
+        """Why a message is not read as one of the reader's; None if it is."""
         key = mine, theirs
         if key not in self._known:
-            self._known[key] = ""  # a message may have a list of its own kind in it
-            self._known[key] = next(self._objections(mine, theirs), "")
+            self._known[key] = None  # a message may have a list of its own kind in it
+            self._known[key] = next(self._objections(mine, theirs), None)
         return self._known[key]
 
-    def _objections(self, mine: str, theirs: str) -> Iterator[str]:
+    def _objections(self, mine: str, theirs: str) -> Iterator[Objection]:
         if mine not in self._reader.messages or theirs not in self._sender.messages:
-            yield f"there is no message {mine}"
+            yield Objection(f"there is no message {mine}", mine, theirs)
             return
         ours, sent = self._reader.messages[mine], self._sender.messages[theirs]
         numbers = {field.number: name for name, field in sent.items()}
         for name, field in sorted(ours.items(), key=lambda item: item[1].number):
             other = sent.get(name)
             named = numbers.get(field.number)
-            if other is not None and other.number != field.number:
-                yield f"`{name}` has the number {field.number} here and {other.number} there"
-            elif other is None and named is not None:
-                yield f"the field {field.number} is `{name}` here and `{named}` there"
-            elif other is None:
-                if not field.label:
-                    yield f"`{name}` is not sent, and is not optional here"
-            else:
-                yield from self._field(name, field, other)
+            if other is not None and other.number == field.number:
+                inner = self._inside(name, field, other)
+                if inner is not None:
+                    yield inner
+                    continue
+            reason = _missing(name, field, named) if other is None else _differs(name, field, other)
+            if not reason and other is not None:
+                reason = self._constants(name, field, other)
+            if reason:
+                yield Objection(reason, mine, theirs, name)
 
-    def _field(self, name: str, field: Field, other: Field) -> Iterator[str]:
-        if field.label != other.label and (REPEATED in (field.label, other.label) or not field.label):
-            here, there = (item.label or "required" for item in (field, other))
-            yield f"`{name}` is {here} here and {there} there"
-        elif field.type.startswith(_MESSAGE) and other.type.startswith(_MESSAGE):
-            inside = self.message(field.type.removeprefix(_MESSAGE), other.type.removeprefix(_MESSAGE))
-            if inside:
-                yield f"in `{name}`: {inside}"
-        elif field.type.startswith(_ENUM) and other.type.startswith(_ENUM):
-            yield from self._constants(name, field.type.removeprefix(_ENUM), other.type.removeprefix(_ENUM))
-        elif field.type != other.type:
-            yield f"`{name}` is {shown(field.type)} here and {shown(other.type)} there"
+    def _inside(self, name: str, field: Field, other: Field) -> Objection | None:
+        """What is wrong in a message that is in a field."""
+        if not (field.type.startswith(_MESSAGE) and other.type.startswith(_MESSAGE)):
+            return None
+        found = self.message(field.type.removeprefix(_MESSAGE), other.type.removeprefix(_MESSAGE))
+        if found is None:
+            return None
+        return Objection(f"in `{name}`: {found.reason}", found.mine, found.theirs, found.field)
 
-    def _constants(self, name: str, mine: str, theirs: str) -> Iterator[str]:
-        ours, sent = self._reader.enums.get(mine, {}), self._sender.enums.get(theirs, {})
+    def _constants(self, name: str, field: Field, other: Field) -> str:
+        """What is wrong with the constants of an enum, if both fields are of one."""
+        ours = self._reader.enums.get(field.type.removeprefix(_ENUM), {})
+        sent = self._sender.enums.get(other.type.removeprefix(_ENUM), {})
         of_number = {number: constant for constant, number in sent.items()}
         for constant, number in ours.items():
-            other = sent.get(constant, number)
-            if other != number:
-                yield f"`{name}`: {constant} is {number} here and {other} there"
-            elif constant not in sent and number in of_number:
-                yield f"`{name}`: {number} is {constant} here and {of_number[number]} there"
+            there = sent.get(constant, number)
+            if there != number:
+                return f"`{name}`: {constant} is {number} here and {there} there"
+            if constant not in sent and number in of_number:
+                return f"`{name}`: {number} is {constant} here and {of_number[number]} there"
+        return ""
+
+
+def _missing(name: str, field: Field, named: str | None) -> str:
+    """Why a field that is not sent is missed; `named` is the one that has its number there."""
+    if named is not None:
+        return f"the field {field.number} is `{name}` here and `{named}` there"
+    return "" if field.label else f"`{name}` is not sent, and is not optional here"
+
+
+def _differs(name: str, field: Field, other: Field) -> str:
+    """What of a field is not the same, besides what is in its message or enum."""
+    if field.number != other.number:
+        return f"`{name}` has the number {field.number} here and {other.number} there"
+    if field.label != other.label and (REPEATED in (field.label, other.label) or not field.label):
+        here, there = (item.label or "required" for item in (field, other))
+        return f"`{name}` is {here} here and {there} there"
+    named = any(field.type.startswith(kind) and other.type.startswith(kind) for kind in (_MESSAGE, _ENUM))
+    if field.type != other.type and not named:
+        return f"`{name}` is {shown(field.type)} here and {shown(other.type)} there"
+    return ""
 
 
 def shown(kind: str) -> str:
