@@ -390,6 +390,31 @@ def test_robots_with_certificates_talk(wire: Generated, mouth: Mouth, certificat
     bob.stop()
 
 
+@pytest.mark.skipif(not Path("/proc/self/fd").is_dir(), reason="NOT TESTED: only Linux tells of its sockets")
+def test_a_connection_can_be_renewed(wire: Generated, mouth: Mouth, certificates: Path, port: int) -> None:
+    listening = secured(certificates, "bob", listen=(f"tls/127.0.0.1:{port}",))
+    link = ZenohLink(WIRE, listening)
+    bob = part(wire, ["bob"], mouth.activities, link).start()
+    connecting = secured(certificates, "ann", connect=(f"tls/127.0.0.1:{port}",))
+    ann = part(wire, ["ann"], mouth.activities, ZenohLink(WIRE, connecting)).start()
+    mouth.say += [("team.signal.M", 1)]
+    wait_until(lambda: heard(bob) == [1])
+
+    def places() -> set[str]:
+        return {str(one.dst) for one in link._session.info.links()}
+
+    before = places()
+    link.renew("mallory")
+    time.sleep(0.2)
+    assert places() == before
+    link.renew("ann")
+    wait_until(lambda: places() and not places() & before)
+    mouth.say += [("team.signal.M", 2)]
+    wait_until(lambda: heard(bob) == [1, 2])
+    ann.stop()
+    bob.stop()
+
+
 @pytest.mark.parametrize("how", ["another authority", "no certificate", "no tls"])
 def test_who_has_no_certificate_is_not_let_in(
     wire: Generated, mouth: Mouth, certificates: Path, port: int, how: str

@@ -28,6 +28,8 @@ NEAR = NAMES[:-1]
 PAIRS = [(a, b) for a in NEAR for b in NEAR if a != b]
 BROKEN = [*((FAR, a) for a in NEAR), *((a, FAR) for a in NEAR)]
 
+MANY = pytest.mark.skipif(not RUNS, reason="many runs: set NETWORK_RUNS, or run python3 dev.py long")
+
 pytest.importorskip("zenoh")
 
 
@@ -158,7 +160,8 @@ def test_a_robot_that_cannot_be_reached(tmp_path: Path) -> None:
     )
 
 
-@pytest.mark.parametrize("run", range(RUNS))
+@MANY
+@pytest.mark.parametrize("run", range(max(1, RUNS)))
 def test_cut_off_and_back(tmp_path: Path, run: int) -> None:
     suffered(
         tmp_path,
@@ -170,7 +173,8 @@ def test_cut_off_and_back(tmp_path: Path, run: int) -> None:
     )
 
 
-@pytest.mark.parametrize("run", range(RUNS))
+@MANY
+@pytest.mark.parametrize("run", range(max(1, RUNS)))
 def test_half_cut_flapping_and_lossy(tmp_path: Path, run: int) -> None:
     suffered(
         tmp_path,
