@@ -292,6 +292,8 @@ def test_the_clock_of_another_machine_is_measured(talk: Generated, box: Box) -> 
     before = wait_until(lambda: bob.team.peers()["ann"].uncertainty or 0)
     box.say += [("team.data.M", 2, None)]
     wait_until(lambda: 2 in arrived(bob, "bob", "team.data.M"))
+    measured = wait_until(lambda: bob.of("peer", what="clock"))
+    assert abs(measured[0]["difference"] + OtherMachine.SKEW) <= max(measured[0]["uncertainty"], 1_000_000)
     peer = bob.team.peers()["ann"]
     uncertainty = max(before, peer.uncertainty or 0)
     assert abs((peer.difference or 0) + OtherMachine.SKEW) <= max(uncertainty, 1_000_000)

@@ -143,6 +143,7 @@ def begin_life(state: Delivery, other: Other, life: int) -> None:
     first = other.life is None
     other.life, other.alive, other.clock = life, True, None
     other.measured.clear()
+    other.is_timed = False
     other.heard_at = other.linked_at = time.monotonic_ns()
     other.ask_at = 0
     other.beats, other.doubted_at, other.parted = False, 0, False

@@ -9,13 +9,13 @@ from aseme_dsl.runtime.chart.inputs import LOST
 from aseme_dsl.runtime.message.acl import JSON, NOT_UNDERSTOOD, AclMessage, name_of
 from aseme_dsl.runtime.transport import envelope as envelopes
 from aseme_dsl.runtime.transport.delivery.builds import be_unknown, decoded, turn_away
-from aseme_dsl.runtime.transport.delivery.clocks import deadline_of, moment_of, sent_at
+from aseme_dsl.runtime.transport.delivery.clocks import clock_record, deadline_of, moment_of, sent_at
 from aseme_dsl.runtime.transport.delivery.presence import (
     come_back,
     has_returned,
 )
-from aseme_dsl.runtime.transport.delivery.records import Got, Other, Way
-from aseme_dsl.runtime.transport.delivery.reports import count, meet_stranger, tell_once
+from aseme_dsl.runtime.transport.delivery.records import QUESTIONS, Got, Other, Way
+from aseme_dsl.runtime.transport.delivery.reports import count, meet_stranger, tell, tell_once
 from aseme_dsl.runtime.transport.delivery.sending import (
     acknowledge,
     hand_over,
@@ -60,6 +60,10 @@ def accepted(
         other.heard_at = max(other.heard_at, read.asked)
         trip = (came - read.asked) - (read.time - read.heard)
         other.measured.append((trip, ((read.asked - read.heard) + (came - read.time)) // 2))
+        if len(other.measured) == QUESTIONS and not other.is_timed:
+            other.is_timed = True
+            if measured := clock_record(state, other):
+                tell(state, other, "clock", **measured)
         if has_returned(state, other) and not state.closing:
             come_back(state, other)
         return ()

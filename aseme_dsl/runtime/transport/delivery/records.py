@@ -95,6 +95,8 @@ class Other:
     clock: int | None = None
     measured: deque[tuple[int, int]] = field(default_factory=lambda: deque(maxlen=QUESTIONS))
     """(round trip, difference) of the last measurements of its clock."""
+    is_timed: bool = False
+    """Whether the trace has the difference of its clock."""
     ask_at: int = 0
     knows_us: bool = True
     """Whether its build has our agents, as far as it has not said that it does not."""
