@@ -57,7 +57,7 @@ SUBPACKAGES = {
     "compiler": "read names formula types control chart requirements checks stages",
     "codegen": "place seen program code step plain batch",
     "diagrams": "look compact models sequence rendering",
-    "editor": "reading files answers typing changes",
+    "editor": "reading files answers typing changes proving",
     "interop": "emf machines export",
     "grammar": "text formulas parsing layout syntax",
     "project": (

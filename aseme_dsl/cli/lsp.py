@@ -21,6 +21,10 @@ if TYPE_CHECKING:
 
 LOOPBACK = "127.0.0.1"
 
+_BOOT = "import sys; sys.path[:] = {path!r}; from aseme_dsl.project.proving.process import main; main()"
+PROVER = (sys.executable, "-P", "-c", _BOOT.format(path=sys.path))
+"""What starts a process that proves, with the modules that this one has."""
+
 INSTALL = 'pip install ".[editor]" (in a clone), or "aseme-dsl[editor]"'
 
 
@@ -46,7 +50,7 @@ def command(port: int | None, stdio: bool) -> int:
     from aseme_dsl.editor.server import make_server
 
     gc.disable()  # the server collects when no request waits
-    server = make_server(__version__, project(), _python_folders)
+    server = make_server(__version__, project(), _python_folders, prover=PROVER)
     server.tidying.tidies = True
     if port is None:
         # The protocol has standard output to itself; what else is printed goes where people may read it.

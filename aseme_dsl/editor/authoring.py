@@ -149,11 +149,15 @@ def _act(server: Server) -> None:
             return None
         view, (start, end) = found
         wanted = params.context.only
-        return [
+        known = [
             _code_action(server, view, item, params.context.diagnostics)
             for item in actions(view, start, end, server.folders_of(Path(view.program.root)))
-            if wanted is None or any(_is_of_kind(item, kind) for kind in wanted)
+            if wanted is None or any(_is_of_kind(item.kind.value, kind) for kind in wanted)
         ]
+        quick = ActionKind.QUICK_FIX.value
+        if server.showing is None or not (wanted is None or any(_is_of_kind(quick, kind) for kind in wanted)):
+            return known
+        return known + server.showing.actions(view, start, end, params.context.diagnostics)
 
     @server.feature(lsp.CODE_ACTION_RESOLVE)
     async def resolve(params: lsp.CodeAction) -> lsp.CodeAction:
@@ -182,10 +186,10 @@ def _act(server: Server) -> None:
         )
 
 
-def _is_of_kind(item: Action, kind: lsp.CodeActionKind | str) -> bool:
-    """Whether an action is of a kind or of one below it (`refactor` has `refactor.extract` below it)."""
+def _is_of_kind(own: str, kind: lsp.CodeActionKind | str) -> bool:
+    """Whether a kind is another or one below it (`refactor` has `refactor.extract` below it)."""
     wanted = str(getattr(kind, "value", kind))
-    return item.kind.value == wanted or item.kind.value.startswith(f"{wanted}.")
+    return own == wanted or own.startswith(f"{wanted}.")
 
 
 def _code_action(server: Server, view: View, item: Action, shown: Sequence[lsp.Diagnostic]) -> lsp.CodeAction:

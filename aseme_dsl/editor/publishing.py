@@ -81,6 +81,8 @@ class Publishing:
         if path not in self._files.buffers:
             return
         found = [self._diagnostic(view.program, view.source, item) for item in view.diagnostics]
+        if self._server.showing is not None:
+            found += self._server.showing.diagnostics(view)
         self._server.text_document_publish_diagnostics(
             lsp.PublishDiagnosticsParams(self._texts.uri(path), found, self._files.buffers[path].version)
         )

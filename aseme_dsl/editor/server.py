@@ -22,6 +22,7 @@ from aseme_dsl.editor.files.positions import Change, Position, changed
 from aseme_dsl.editor.files.view import View
 from aseme_dsl.editor.files.workspace import Project
 from aseme_dsl.editor.following import Page
+from aseme_dsl.editor.proving.showing import answer_proofs
 from aseme_dsl.editor.publishing import Publishing
 from aseme_dsl.editor.python_answers import answer_in_python
 from aseme_dsl.editor.reading import reading
@@ -75,9 +76,13 @@ _FOLDS = {
 
 
 def make_server(
-    version: str, project: Project, folders: FoldersOf, reader: reading.Reader | None = None
+    version: str,
+    project: Project,
+    folders: FoldersOf,
+    reader: reading.Reader | None = None,
+    prover: Sequence[str] = (),
 ) -> Server:
-    """A server that answers every request that this room can answer."""
+    """A server that answers every request that this room can; `prover` starts a process that proves."""
     server = Server(version, project, folders, reader)
     publishing = Publishing(server)
     _documents(server, publishing)
@@ -90,6 +95,8 @@ def make_server(
     _drawings(server, publishing)
     answer_authors(server)
     answer_in_python(server)
+    if prover:
+        answer_proofs(server, publishing, prover)
     return server
 
 
@@ -135,6 +142,8 @@ def _documents(server: Server, publishing: Publishing) -> None:
         saved = server.texts.path(params.text_document.uri)
         for path in server.files.buffers if is_python(params.text_document.uri) else (saved,):
             publishing.soon(path)
+        if server.showing is not None and saved in server.files.buffers:
+            server.showing.run(server.showing.saved(saved))
 
     @server.feature(lsp.TEXT_DOCUMENT_DID_CLOSE)
     def did_close(params: lsp.DidCloseTextDocumentParams) -> None:
@@ -155,6 +164,8 @@ def _documents(server: Server, publishing: Publishing) -> None:
         for other in others:
             publishing.soon(other)
         publishing.hush_elsewhere()
+        if server.showing is not None:
+            server.showing.closed()
         server.tidying.later()
 
     @server.feature(lsp.WORKSPACE_DID_CHANGE_WATCHED_FILES)
@@ -486,13 +497,14 @@ def _notes(server: Server) -> None:
         view = await server.view(params.text_document.uri)
         if view is None:
             return None
-        return [
+        found = [
             lsp.CodeLens(
                 server.texts.range(Span(item.span.source, item.span.start, item.span.start)),
                 lsp.Command(item.title, item.command, arguments=[dict(item.arguments)]),
             )
             for item in hints.lenses(view)
         ]
+        return found if server.showing is None else found + server.showing.lenses(view)
 
 
 # ---- calls ------------------------------------------------------------------------------------------

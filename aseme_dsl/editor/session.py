@@ -26,6 +26,7 @@ from aseme_dsl.editor.answers.diagram import Diagrams
 from aseme_dsl.editor.files.carrying import carry
 from aseme_dsl.editor.files.view import View
 from aseme_dsl.editor.files.workspace import Project, Workspace
+from aseme_dsl.editor.proving.showing import Showing
 from aseme_dsl.editor.reading import reading
 from aseme_dsl.editor.reading.bounded_input import BoundedInput, BoundedReader, Limits
 from aseme_dsl.editor.texts import Texts
@@ -72,6 +73,8 @@ class Server(LanguageServer):
         self.drawing = asyncio.Lock()
         self.moved: Callable[[str, lsp.Position], None] = lambda uri, position: None
         self.tidying = Tidying()
+        self.showing: Showing | None = None
+        """What is known of all runs; None: nothing is proved."""
         self.reads_itself = False
         self.of_python: dict[str, Callable[[Any], Awaitable[Any]]] = {}
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -58,11 +58,13 @@ def prove(
     limits: Limits,
     told: Callable[[str], None] = lambda text: None,
     horizon: int | None = None,
+    only: Collection[str] = (),
 ) -> tuple[Result, ...]:
     """What holds in all runs of a system without errors; `asked` are names of what to answer, all if none.
 
     With `robots` agents of each role, and of each participant, that has several. `told` hears what is done.
-    Where times are measured, that is up to the `horizon` (ns), if there is one.
+    Where times are measured, that is up to the `horizon` (ns), if there is one. `only` says which of the
+    team and the protocols alone are explored, all if none; then nothing asked for needs to be there.
 
     Raises:
         NotThere: nothing is called as one of `asked`; the text lists what there is.
@@ -72,13 +74,15 @@ def prove(
     found: list[Result] = []
     known: list[str] = []
     for scope in scopes_of(compiled.root, compiled.system, robots):
+        if only and scope.what not in only:
+            continue
         told(f"exploring the {scope.what}")
         found += _explored(scope, compiled, limits, asked, known, horizon)
         if scope.protocol is None:
             found += _left_out(scope, compiled, found)
     names = dict.fromkeys((*known, *(item.name for item in found)))
     missing = next((name for name in asked if name not in names), None)
-    if missing is not None:
+    if missing is not None and not only:
         raise NotThere(f"nothing is called {missing}; there are {', '.join(names)}")
     return tuple(item for item in found if not asked or item.name in asked)
 

@@ -1,0 +1,1 @@
+"""Proving: verdicts about all runs above the text, from a process that works in the background."""
