@@ -17,7 +17,7 @@ from lsprotocol import types as lsp
 from pytest_lsp import ClientServerConfig, LanguageClient, client_capabilities
 
 from aseme_dsl.editor.proving.showing import CODE, PROVE, STOP
-from tests.editor.test_server import Project, at, published_by
+from tests.editor.test_server import Project, asked_to_watch, at, published_by
 
 pytestmark = pytest.mark.asyncio(loop_scope="function")
 
@@ -98,6 +98,11 @@ async def client(lsp_client: LanguageClient, tmp_path: Path) -> AsyncIterator[No
 
 
 async def begin(client: LanguageClient, folder: Path, options: object = None) -> None:
+    asked_to_watch(client)
+
+    @client.feature(lsp.WORKSPACE_CODE_LENS_REFRESH)
+    def refreshed(*given: object) -> None: ...
+
     await client.initialize_session(
         lsp.InitializeParams(
             capabilities=client_capabilities("visual-studio-code"),
@@ -143,7 +148,7 @@ async def click(project: Project, name: str, question: str, command: str = PROVE
 
 async def shown(project: Project, name: str, question: str, wanted: Callable[[str], bool]) -> str:
     """The title above a question, as soon as it is a wanted one."""
-    async with asyncio.timeout(60):
+    async with asyncio.timeout(15):
         while not wanted(title := (await lenses(project, name))[question]):
             await asyncio.sleep(0.05)
     return title
@@ -167,7 +172,7 @@ def provers_of(pid: int) -> list[int]:
 
 
 async def until(condition: Callable[[], object]) -> None:
-    async with asyncio.timeout(60):
+    async with asyncio.timeout(15):
         while not condition():
             await asyncio.sleep(0.05)
 

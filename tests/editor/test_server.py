@@ -592,7 +592,9 @@ async def test_inlay_hints(project: Project) -> None:
 async def test_code_lens(project: Project) -> None:
     found = await project.client.text_document_code_lens_async(lsp.CodeLensParams(project.document()))
     titles = [(item.command.title, item.command.command) for item in found or () if item.command is not None]
-    assert titles == [("Diagram", "asemec.diagram"), ("Diagram", "asemec.diagram"), ("Run", "asemec.run")]
+    assert titles[:3] == [("Diagram", "asemec.diagram"), ("Diagram", "asemec.diagram"), ("Run", "asemec.run")]
+    prove = ("prove", "asemec.prove")  # a protocol, and the team
+    assert titles[3:] == [("prove all", "asemec.prove"), prove, prove]
 
 
 async def test_document_links(project: Project) -> None:

@@ -36,6 +36,40 @@ local function command(file)
   return { own and vim.fn.executable(own) == 1 and own or "asemec", "lsp" }
 end
 
+-- Verdicts above the text: asked for anew when the server says so, and after edits.
+local function lenses(client)
+  client.handlers = vim.tbl_extend("keep", client.handlers or {}, {
+    ["workspace/codeLens/refresh"] = function()
+      vim.schedule(vim.lsp.codelens.refresh)
+      return vim.NIL
+    end,
+  })
+  client.capabilities = vim.tbl_deep_extend(
+    "keep",
+    client.capabilities or vim.lsp.protocol.make_client_capabilities(),
+    { workspace = { codeLens = { refreshSupport = true } } }
+  )
+  local given = client.on_attach
+  client.on_attach = function(...)
+    vim.schedule(vim.lsp.codelens.refresh)
+    if given then
+      given(...)
+    end
+  end
+end
+
+local function follow(buffer)
+  vim.api.nvim_create_autocmd({ "BufEnter", "InsertLeave", "TextChanged", "BufWritePost" }, {
+    group = vim.api.nvim_create_augroup("aseme_lenses_" .. buffer, { clear = true }),
+    buffer = buffer,
+    callback = function()
+      if #(vim.lsp.get_clients or vim.lsp.get_active_clients)() > 0 then
+        vim.lsp.codelens.refresh()
+      end
+    end,
+  })
+end
+
 function M.start(buffer, config)
   local file = vim.api.nvim_buf_get_name(buffer)
   if file == "" then
@@ -52,6 +86,8 @@ function M.start(buffer, config)
     )
     return
   end
+  lenses(client)
+  follow(buffer)
   if vim.lsp.start then
     vim.lsp.start(client, { bufnr = buffer })
     return

@@ -58,7 +58,11 @@ async function start(output) {
   client = new LanguageClient("aseme", "ASEME", server, {
     documentSelector: SELECTOR,
     outputChannel: output,
-    synchronize: { fileEvents: vscode.workspace.createFileSystemWatcher("**/*.{aseme,proto,py,toml}") },
+    initializationOptions: { prove: vscode.workspace.getConfiguration("aseme").get("prove") },
+    synchronize: {
+      configurationSection: "aseme",
+      fileEvents: vscode.workspace.createFileSystemWatcher("**/*.{aseme,proto,py,toml}"),
+    },
     markdown: { isTrusted: false, supportHtml: false },
     middleware: { provideCodeLenses, executeCommand },
   });
