@@ -148,7 +148,7 @@ async def click(project: Project, name: str, question: str, command: str = PROVE
 
 async def shown(project: Project, name: str, question: str, wanted: Callable[[str], bool]) -> str:
     """The title above a question, as soon as it is a wanted one."""
-    async with asyncio.timeout(15):
+    async with asyncio.timeout(60):
         while not wanted(title := (await lenses(project, name))[question]):
             await asyncio.sleep(0.05)
     return title
@@ -172,7 +172,7 @@ def provers_of(pid: int) -> list[int]:
 
 
 async def until(condition: Callable[[], object]) -> None:
-    async with asyncio.timeout(15):
+    async with asyncio.timeout(60):
         while not condition():
             await asyncio.sleep(0.05)
 
