@@ -22,11 +22,11 @@ from aseme_dsl.editor.files.positions import Change, Position, changed
 from aseme_dsl.editor.files.view import View
 from aseme_dsl.editor.files.workspace import Project
 from aseme_dsl.editor.following import Page
-from aseme_dsl.editor.proving.showing import answer_proofs
 from aseme_dsl.editor.publishing import Publishing
 from aseme_dsl.editor.python_answers import answer_in_python
 from aseme_dsl.editor.reading import reading
 from aseme_dsl.editor.session import FoldersOf, Server, is_python, outdated
+from aseme_dsl.editor.showing import answer_proofs
 from aseme_dsl.source import Span
 
 DIAGRAM, CURSOR = "aseme/diagram", "aseme/cursor"
@@ -143,7 +143,7 @@ def _documents(server: Server, publishing: Publishing) -> None:
         for path in server.files.buffers if is_python(params.text_document.uri) else (saved,):
             publishing.soon(path)
         if server.showing is not None and saved in server.files.buffers:
-            server.showing.run(server.showing.saved(saved))
+            server.showing.saved(saved)
 
     @server.feature(lsp.TEXT_DOCUMENT_DID_CLOSE)
     def did_close(params: lsp.DidCloseTextDocumentParams) -> None:

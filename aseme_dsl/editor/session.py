@@ -11,7 +11,7 @@ import stat
 import sys
 import threading
 import time
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Sequence
 from pathlib import Path
 from typing import Any, BinaryIO, Protocol, TypeVar, cast
 
@@ -26,7 +26,6 @@ from aseme_dsl.editor.answers.diagram import Diagrams
 from aseme_dsl.editor.files.carrying import carry
 from aseme_dsl.editor.files.view import View
 from aseme_dsl.editor.files.workspace import Project, Workspace
-from aseme_dsl.editor.proving.showing import Showing
 from aseme_dsl.editor.reading import reading
 from aseme_dsl.editor.reading.bounded_input import BoundedInput, BoundedReader, Limits
 from aseme_dsl.editor.texts import Texts
@@ -54,6 +53,22 @@ class AtPlace(Protocol):
     position: lsp.Position
 
 
+class Verdicts(Protocol):
+    """What is shown of all runs of systems (see `showing`)."""
+
+    def lenses(self, view: View) -> list[lsp.CodeLens]: ...
+
+    def diagnostics(self, view: View) -> list[lsp.Diagnostic]: ...
+
+    def actions(
+        self, view: View, start: int, end: int, shown: Sequence[lsp.Diagnostic]
+    ) -> list[lsp.CodeAction]: ...
+
+    def saved(self, path: str) -> None: ...
+
+    def closed(self) -> None: ...
+
+
 class Server(LanguageServer):
     """A language server with the workspace that it answers for."""
 
@@ -73,7 +88,7 @@ class Server(LanguageServer):
         self.drawing = asyncio.Lock()
         self.moved: Callable[[str, lsp.Position], None] = lambda uri, position: None
         self.tidying = Tidying()
-        self.showing: Showing | None = None
+        self.showing: Verdicts | None = None
         """What is known of all runs; None: nothing is proved."""
         self.reads_itself = False
         self.of_python: dict[str, Callable[[Any], Awaitable[Any]]] = {}

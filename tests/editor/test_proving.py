@@ -16,7 +16,7 @@ import pytest_lsp
 from lsprotocol import types as lsp
 from pytest_lsp import ClientServerConfig, LanguageClient, client_capabilities
 
-from aseme_dsl.editor.proving.showing import CODE, PROVE, STOP
+from aseme_dsl.editor.showing import CODE, PROVE, STOP
 from tests.editor.test_server import Project, asked_to_watch, at, published_by
 
 pytestmark = pytest.mark.asyncio(loop_scope="function")

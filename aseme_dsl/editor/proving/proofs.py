@@ -35,8 +35,9 @@ _OF_CODE = (".py", ".proto", ".toml")
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """How an editor wants proofs: in the background when a file is saved, with how much processor time (s)
-    for each team and protocol, and for how many robots of a role."""
+    """How an editor wants proofs: whether when a file is saved, and for how many robots of a role.
+
+    `budget` is the processor time (s) for each team and protocol."""
 
     on_save: bool = False
     budget: float = 10.0

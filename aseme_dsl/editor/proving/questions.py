@@ -13,7 +13,7 @@ from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
 BUILT_IN = (*("deadlock", "orphan messages", "non-local choice", "agreement", "dead states", "failures"),)
-"""The questions of `asemec prove` that nobody writes."""
+"""The questions of `asemec prove` that a file does not contain."""
 
 TEAM = "team"
 """What `asemec prove` calls the team."""

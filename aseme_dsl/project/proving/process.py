@@ -1,8 +1,9 @@
 """Process: answers one question of an editor about all runs of a system, in a process of its own.
 
-It reads one line of JSON: `path` and `text` of the file with the system, `asked` (names of what to answer,
-all if none), `of` (the team or protocols to explore, all if none), `robots`, `seconds` and `states`. It
-writes lines of JSON: `{"told": …}` when it begins with something, and at last `{"problem": …}` or
+It reads one line of JSON: `path` and `text` of the file with the system, `asked`, `of`, `robots`, `seconds`
+and `states`. `asked` are names of what to answer, `of` the team or protocols to explore; all if none.
+
+It writes lines of JSON: `{"told": …}` when it begins with something. The last is `{"problem": …}` or
 `{"results": […], "files": […]}`. It ends at once when its input is closed: it never outlives the editor.
 """
 
@@ -28,7 +29,7 @@ from aseme_dsl.source import Source
 def main() -> None:
     """Answer, and end."""
     output = os.fdopen(os.dup(sys.stdout.fileno()), "w", encoding="utf-8")
-    os.dup2(sys.stderr.fileno(), sys.stdout.fileno())  # what code of the system prints is no answer
+    os.dup2(sys.stderr.fileno(), sys.stdout.fileno())  # the code of the system may print
     asked = outside.loads(sys.stdin.buffer.readline())
     threading.Thread(target=_end_with_the_editor, daemon=True).start()
 

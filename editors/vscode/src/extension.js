@@ -58,7 +58,13 @@ async function start(output) {
   client = new LanguageClient("aseme", "ASEME", server, {
     documentSelector: SELECTOR,
     outputChannel: output,
-    initializationOptions: { prove: vscode.workspace.getConfiguration("aseme").get("prove") },
+    initializationOptions: {
+      prove: {
+        onSave: vscode.workspace.getConfiguration("aseme").get("prove.onSave"),
+        budget: vscode.workspace.getConfiguration("aseme").get("prove.budget"),
+        robots: vscode.workspace.getConfiguration("aseme").get("prove.robots"),
+      },
+    },
     synchronize: {
       configurationSection: "aseme",
       fileEvents: vscode.workspace.createFileSystemWatcher("**/*.{aseme,proto,py,toml}"),

@@ -188,13 +188,12 @@ class Showing:
         if not is_asked and self.proofs.is_all_known(text):
             return
         running = self.proofs.begin(text, question)
-        self.run(self._watch(program.root, running))
+        self._meanwhile(self._watch(program.root, running))
 
-    async def saved(self, path: str) -> None:
+    def saved(self, path: str) -> None:
         """A file was saved: prove everything of it, if that is wanted."""
         if self.proofs.settings.on_save:
-            with suppress(TooSlow):
-                await self._patiently(lambda: self.prove(path, "all", is_asked=False))
+            self._meanwhile(self._patiently(lambda: self.prove(path, "all", is_asked=False)))
 
     def closed(self) -> None:
         """A file was closed: what runs for systems of which none is open is given up."""
@@ -210,7 +209,7 @@ class Showing:
         except WrongSetting as problem:
             self._say(f"asemec: {problem}")
 
-    def run(self, work: Coroutine[object, object, None]) -> None:
+    def _meanwhile(self, work: Coroutine[object, object, None]) -> None:
         """Do something meanwhile."""
         task: asyncio.Task[None] = asyncio.ensure_future(work)
         self._tasks.add(task)
@@ -234,11 +233,12 @@ class Showing:
 
     async def _patiently(self, work: Callable[[], Awaitable[None]]) -> None:
         """Some work of the server that is none of its answers."""
-        while True:
-            try:
-                return await self._server.reading(work)
-            except reading.NotYet as wanted:
-                await self._server.reader.wait(wanted.job)
+        with suppress(TooSlow):
+            while True:
+                try:
+                    return await self._server.reading(work)
+                except reading.NotYet as wanted:
+                    await self._server.reader.wait(wanted.job)
 
     async def _watch(self, root: str, running: Running) -> None:
         """Show how long it takes, until it ends."""
