@@ -109,6 +109,7 @@ class _Options:
     project: Path | None
     world_at: str | None
     version: str | None
+    fresh: bool
     supervised: bool
     watched: str | None
     colour: str
@@ -178,6 +179,7 @@ def _address(context: click.Context, parameter: click.Parameter, value: str | No
 @click.option("--project", type=FilePath(path_type=Path), hidden=True)
 @click.option("--world-at", hidden=True)
 @click.option("--in-version", "version", hidden=True)
+@click.option("--fresh", is_flag=True, hidden=True)
 @click.option("--supervised", is_flag=True, hidden=True)
 @click.option("--watched", hidden=True)
 @colour_option
@@ -225,7 +227,7 @@ def _prepared(options: _Options) -> tuple[Loaded, Path, Configuration, Choice, P
     """The system, its folder and its settings, and its file if that was built; or the exit code, after
     telling why."""
     from aseme_dsl.project.building.build import activities_folder, choose
-    from aseme_dsl.project.playing.play import NoSuchPlan, carried, in_version, load
+    from aseme_dsl.project.playing.play import NoSuchPlan, carried, load
     from aseme_dsl.project.settings.configuration import find_configuration, read_configuration
 
     folder = options.folder
@@ -264,8 +266,6 @@ def _prepared(options: _Options) -> tuple[Loaded, Path, Configuration, Choice, P
         known = tuple(item.name for item in there)
         raise NoSuchPlan(NoSuchSystem(options.system, known))
     loaded = systems[0]
-    if options.version is not None:
-        loaded = in_version(loaded, options.version, configuration)
     _warn_of_simulated(options, loaded, activities_folder(folder, choice))
     return loaded, folder, configuration, choice, None
 
@@ -314,11 +314,12 @@ def _run(
 ) -> int:
     """Run the agent; the exit code."""
     from aseme_dsl.project.building.build import activities_folder
-    from aseme_dsl.project.playing.play import play
+    from aseme_dsl.project.playing.play import in_epoch, play
     from aseme_dsl.project.playing.seen import Seen
     from aseme_dsl.project.playing.supervisor import SEEN
     from aseme_dsl.project.settings.deployment import Deployment
 
+    loaded, epoch = in_epoch(loaded, options.robot, configuration, options.version, fresh=options.fresh)
     if options.control is not None:
         deploy = replace(configuration.deploy or Deployment(), control=options.control)
         configuration = replace(configuration, deploy=deploy)
@@ -330,7 +331,7 @@ def _run(
             loaded,
             activities_folder(folder, choice),
             configuration,
-            _request(options, folder, configuration, seen, telling),
+            replace(_request(options, folder, configuration, seen, telling), epoch=epoch),
             tell=telling.line,
             listeners=(telling,),
             watch=watch or seen,

@@ -18,14 +18,19 @@ from aseme_dsl.cli.shared import (
     print_json,
     target_argument,
 )
+from aseme_dsl.cli.terminal import harmless
 from aseme_dsl.diagnostics import has_errors
+
+SOME = 3
+"""The exit code if some agents have changed and others have not."""
 
 
 @click.command(
     short_help="Hot-swap a running team to a new model version.",
     help="Compile TARGET and switch the agents that run from the output directory to the new model. Each"
-    " agent keeps its active states and its data. The swap happens between two steps, for all agents or for"
-    f" none. It is refused if an agent is in a state that TARGET does not have. {TARGET_HELP}",
+    " agent keeps its active states and its data. The swap happens between two steps, for all agents of the"
+    " team or for none; with --quorum, for at least so many. It is refused if an agent is in a state that"
+    f" TARGET does not have. The exit code is 3 if only some agents have changed. {TARGET_HELP}",
     epilog="Example: asemec team swap team.aseme   ·   asemec team swap half_time.aseme -o out --within 5s",
 )
 @target_argument
@@ -34,6 +39,13 @@ from aseme_dsl.diagnostics import has_errors
 )
 @key_option
 @within_option("10s", "Time to wait for conversations of changed protocols.")
+@click.option(
+    "--quorum",
+    metavar="all|N",
+    default="all",
+    show_default=True,
+    help="Number of agents that have to change, at least a majority of the team.",
+)
 @click.option("--agent", "agents", multiple=True, metavar="NAME", help="Only this agent. Repeatable.")
 @folder_option(
     "--activities", text="Directory of the new version's activities.  [default: that of the running team]"
@@ -45,20 +57,20 @@ def command(
     output: Path | None,
     key: Path | None,
     within: float,
+    quorum: str,
     agents: tuple[str, ...],
     activities: Path | None,
     as_json: bool,
     colour: str,
 ) -> int:
-    """Swap; 1 if the file has errors or the swap is refused."""
+    """Swap; 1 if the file has errors or no agent has changed, 3 if only some have."""
     from aseme_dsl.diagnostics import Severity
     from aseme_dsl.project.building.build import activities_folder, choose
+    from aseme_dsl.project.operating.swapping import swap
     from aseme_dsl.project.playing.operate import (
         OperateError,
-        PartlyDone,
         activities_of,
-        nodes,
-        swap,
+        answering,
         write_version,
     )
     from aseme_dsl.project.settings.configuration import OUTPUT
@@ -74,24 +86,30 @@ def command(
     output = output or compiled.configuration.output or Path(OUTPUT)
     try:
         with reached(key, output, compiled.system.name) as robots:
-            there = nodes(output, robots)  # before anything is written
+            there = answering(output, robots)  # before anything is written
             choice = choose(compiled.configuration)
             far = robots is not None  # their folders are not of this machine
             code = activities or (activities_folder(output, choice) if far else activities_of(there))
             name, model = write_version(compiled.system, output, choice, code)
-            replies = swap(output, name, within=within, agents=agents or None, robots=robots)
+            done = swap(output, name, within=within, agents=agents or None, robots=robots, quorum=quorum)
     except OperateError as problem:
         if as_json:
             print_json({"ok": False, "reasons": list(problem.args), **diagnostics_json(found)})
             return 1
-        partly = isinstance(problem, PartlyDone)
-        what = "not all robots have changed:" if partly else "nothing has changed:"
-        raise not_done(problem.args, output, what) from problem
-    notes = [note for reply in replies for note in reply["notes"]]
+        raise not_done(problem.args, output, "nothing has changed:") from problem
+    status = 0 if done.is_whole else SOME if done.changed else 1
     if as_json:
-        print_json({"ok": True, "model": model, "notes": notes, **diagnostics_json(found)})
-        return 0
-    for note in notes:
+        told: dict[str, object] = {"changed": list(done.changed), "unchanged": dict(done.unchanged)}
+        told |= {"epoch": done.epoch, "hash": name, "notes": list(done.notes)}
+        print_json({"ok": status == 0, "model": model, **told, **diagnostics_json(found)})
+        return status
+    for note in done.notes:
         click.echo(f"note: {note}", err=True)
-    click.echo(f"{compiled.system.name} swapped to model {model}")
-    return 0
+    if done.changed:
+        whom = compiled.system.name if status == 0 else ", ".join(done.changed)
+        click.echo(f"{whom} swapped to model {model}")
+    if status:
+        first = "not all agents have changed:" if done.changed else "nothing has changed:"
+        reasons = [harmless(f"{agent}: {why}") for agent, why in sorted(done.unchanged.items())]
+        not_done(reasons, output, first).show()
+    return status

@@ -56,6 +56,12 @@ def _process_lines(status: Reply) -> Iterator[str]:
         yield f"  records      {', '.join(f'{kind} {count}' for kind, count in status['counts'].items())}"
     if status["trace_error"] is not None:
         yield f"  {status['trace_error']}"
+    epoch, held = status["epoch"], status["held"]
+    if epoch["number"]:
+        yield f"  epoch        {epoch['number']}, version {epoch['hash'][:12]}"
+    if held is not None:
+        why = "; ".join(held["reasons"]) or "it waits for the end of conversations"
+        yield f"  held         until epoch {held['number']}, version {held['hash'][:12]}: {why}"
     swap = status["swap"]
     if swap is not None:
         yield f"  a swap is under way: {swap['state']}"

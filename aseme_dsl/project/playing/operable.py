@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from aseme_dsl.runtime.control.recent import Recent
     from aseme_dsl.runtime.team.swap import Version
     from aseme_dsl.runtime.team.team import Team
+    from aseme_dsl.runtime.version.epochs import Epoch, EpochFile
     from aseme_dsl.runtime.version.loading import Loaded
 
 
@@ -31,13 +32,17 @@ def operable(
     changed: Callable[[Changed], None] | None = None,
     keys: Path | None = None,
     recent: Recent | None = None,
+    epochs: EpochFile | None = None,
+    epoch: Epoch | None = None,
 ) -> Iterator[None]:
     """Inside, operators reach the team over a socket, and over its transport if there is a file of `keys`.
 
     `changed` is called with each swap that is done; `recent`, a listener of the team's trace, has its logs.
+    `epochs` keeps the epoch of the agents here, which is `epoch` now.
 
     A run to which no socket can be opened continues without one, with a line in its trace.
     """
+    from aseme_dsl.runtime.control.catching_up import CatchingUp
     from aseme_dsl.runtime.control.control import Control
     from aseme_dsl.runtime.control.control_socket import ControlError, listening
     from aseme_dsl.runtime.control.operator_gate import Gate
@@ -45,11 +50,15 @@ def operable(
 
     agents = team.agents
     name = agents[0].name if len(agents) == 1 else "team"
-    control = Control(team, activities, changed, output_of(loaded) / VERSIONS, recent)
+    control = Control(team, activities, changed, output_of(loaded) / VERSIONS, recent, epochs, epoch)
     if keys is None:
         team.transport.answer(control.not_over_the_bus)
     else:
         team.transport.answer(Gate(control, keys, loaded.name, team.transport.life).answer)
+    catching_up = CatchingUp(team, control) if team.transport.networked and epoch is not None else None
+    if catching_up is not None:
+        catching_up.begin()
+        team.at_end.append(catching_up.close)
     socket = listening(control, output_of(loaded), name)
     try:
         socket.__enter__()

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import tempfile
-import time
 from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from functools import lru_cache
@@ -22,15 +21,10 @@ if TYPE_CHECKING:
     from aseme_dsl.runtime.control.replies import Reply
     from aseme_dsl.runtime.version.loading import Loaded
 
-WITHIN = 10.0
-"""How long, in seconds, a swap waits for conversations to end."""
 _ANSWER = 5.0
 """How long, in seconds, it is waited for the answer of a process."""
 MOST_AT_ONCE = 64
 """So many processes are asked at the same time."""
-_HOLD = 3.0
-_TRY = 0.3
-_PAUSE = 0.05
 
 Request = dict[str, object]
 Endpoint = Path | Robot
@@ -41,11 +35,7 @@ class OperateError(Exception):
     """What was asked for cannot be done; the arguments say why, a line each."""
 
 
-class PartlyDone(OperateError):
-    """Some robots have changed, and others have not, or do not say so; the arguments say which."""
-
-
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, eq=False)
 class Node:
     """A process that runs agents, and what it says of itself."""
 
@@ -93,6 +83,18 @@ def nodes(output: Path, robots: Sequence[Robot] | None = None) -> tuple[Node, ..
     """
     there, silent = look(output, robots)
     if silent:
+        raise OperateError(*silent)
+    return there
+
+
+def answering(output: Path, robots: Sequence[Robot] | None = None) -> tuple[Node, ...]:
+    """The processes that run from an output folder and answer.
+
+    Raises:
+        OperateError: none does.
+    """
+    there, silent = look(output, robots)
+    if not there:
         raise OperateError(*silent)
     return there
 
@@ -220,102 +222,6 @@ def _put(path: Path, content: bytes) -> None:
         part.replace(path)
     except OSError as problem:
         raise OperateError(f"{path} cannot be written: {problem.strerror or problem}") from problem
-
-
-def swap(
-    output: Path,
-    name: str,
-    *,
-    within: float = WITHIN,
-    agents: Iterable[str] | None = None,
-    robots: Sequence[Robot] | None = None,
-) -> tuple[Reply, ...]:
-    """Change what runs to the version of this hash, in all processes or in none.
-
-    `within` is how long, in seconds, it is waited for conversations that the new version plays differently.
-    Gives what the processes have said.
-
-    Raises:
-        OperateError: one of them cannot, or did not confirm; they all continue as before.
-        PartlyDone: some have changed.
-    """
-    names = None if agents is None else list(agents)
-    there = nodes(output, robots)
-    concerned = [node for node in there if names is None or set(node.agents) & set(names)]
-    missing = [name for name in names or () if not any(name in node.agents for node in there)]
-    if missing:
-        raise OperateError(unknown_agent(missing[0], there))
-    request: Request = {
-        "request": "swap",
-        "hash": name,
-        "agents": names,
-    }
-    sockets = [node.socket for node in concerned]
-    deadline = time.monotonic() + within
-    while True:
-        busy, notes = _prepare(sockets, request)
-        if not busy:
-            return notes
-        if time.monotonic() >= deadline:
-            reasons = [f"{reason} after {within:g} s" for reason in busy]
-            ask_each({path: {**request, "phase": "refuse", "reasons": reasons} for path in sockets})
-            raise OperateError(*reasons)
-        time.sleep(_PAUSE)
-
-
-def _prepare(sockets: list[Endpoint], request: Request) -> tuple[list[str], tuple[Reply, ...]]:
-    """One attempt; gives the reasons why processes are busy, if there are any, and the replies."""
-    replies = _ask_all({path: {**request, "phase": "ready"} for path in sockets}, 30.0)
-    busy = [reason for reply in replies.values() for reason in reply["reasons"]]
-    if busy:
-        return busy, ()
-    prepare = {**request, "phase": "prepare", "within": _TRY, "hold": _HOLD}
-    outcome = ask_each({path: prepare for path in sockets}, 30.0)
-    held = {path: reply["id"] for path, reply in outcome.items() if reply.get("state") == "prepared"}
-    problems = [reason for reply in outcome.values() if not reply["ok"] for reason in reply["reasons"]]
-    busy = [reason for reply in outcome.values() if reply["ok"] for reason in reply["reasons"]]
-    if problems or busy:
-        _roll_back(held, "; ".join(problems or busy))
-        if problems:
-            raise OperateError(*problems)
-        return busy, ()
-    for phase in ("commit", "finish"):
-        replies = ask_each({path: {"request": "swap", "phase": phase, "id": n} for path, n in held.items()})
-        problems = [reason for reply in replies.values() if not reply["ok"] for reason in reply["reasons"]]
-        if problems and phase == "commit":
-            back = _roll_back(held, "; ".join(problems))
-            if back:  # who has confirmed, and does not hear this, changes when the time is over
-                raise PartlyDone(*problems, *back, *_models(held))
-            raise OperateError(*problems)
-        if problems:  # it has been confirmed everywhere: who has not finished does so by itself
-            raise PartlyDone(*problems, *_models(held))
-    return [], tuple(outcome.values())
-
-
-def _models(concerned: Iterable[Endpoint]) -> list[str]:
-    """Which robot follows which model, when those that are on their own have decided."""
-    time.sleep(_HOLD)
-    lines: list[str] = []
-    for endpoint, reply in ask_each({endpoint: {"request": "status"} for endpoint in concerned}).items():
-        agents = reply.get("agents", ()) if reply["ok"] else ()
-        lines += [f"{agent['name']} follows model {agent['model']}" for agent in agents]
-        if not reply["ok"]:
-            lines.append(f"what {endpoint} follows is not known")
-    return lines
-
-
-def _roll_back(held: Mapping[Endpoint, int], reason: str) -> list[str]:
-    """Let all processes continue as before; gives a line for each that did not confirm it."""
-    requests: dict[Endpoint, Request] = {
-        path: {"request": "swap", "phase": "rollback", "id": number, "reason": reason}
-        for path, number in held.items()
-    }
-    return [
-        f"it is not known whether it was rolled back: {text}"
-        for reply in ask_each(requests).values()
-        if not reply["ok"]
-        for text in reply["reasons"]
-    ]
 
 
 def _ask_all(requests: Mapping[Endpoint, Request], timeout: float) -> dict[Endpoint, Reply]:

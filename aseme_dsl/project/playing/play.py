@@ -35,6 +35,7 @@ if TYPE_CHECKING:
     from aseme_dsl.runtime.trace.records import Record
     from aseme_dsl.runtime.trace.trace import Listener
     from aseme_dsl.runtime.transport.port import Transport
+    from aseme_dsl.runtime.version.epochs import Epoch, EpochFile
     from aseme_dsl.runtime.version.loading import Loaded, RoleBackends
     from aseme_dsl.runtime.world.body import AnyWorld
     from aseme_dsl.runtime.world.shared_world import FarBody
@@ -103,6 +104,8 @@ class Request:
     the machine's monotonic clock)."""
     serve: Callable[[Team, Recent], AbstractContextManager[None]] = lambda team, recent: nullcontext()
     """What is open while a robot runs: for the machine that it runs on. May raise PlayError."""
+    epoch: Epoch | None = None
+    """The epoch that a robot follows at first, if it follows those of its team."""
     changed: Callable[[Changed], None] | None = None
     """Told of each swap of a robot that is done."""
     state: Path | None = None
@@ -223,6 +226,43 @@ def in_version(loaded: Loaded, name: str, configuration: Configuration) -> Loade
     if missing:
         raise PlayError(problems.VersionWithoutPlan(str(package), missing[0]))
     return replace(found, name=loaded.name, team=loaded.team, folder=loaded.folder)
+
+
+def epoch_file(loaded: Loaded, robot: str) -> EpochFile:
+    """Where a robot keeps its epoch."""
+    from aseme_dsl.project.playing.operable import output_of
+    from aseme_dsl.runtime.version.epochs import EpochFile
+    from aseme_dsl.runtime.version.versions import VERSIONS
+
+    return EpochFile(output_of(loaded) / VERSIONS, robot)
+
+
+def in_epoch(
+    loaded: Loaded, robot: str, configuration: Configuration, version: str | None, *, fresh: bool
+) -> tuple[Loaded, Epoch]:
+    """The system in the version that a robot follows, and its epoch: a `fresh` run begins with the build.
+
+    A `version` that is named comes before that of the epoch.
+
+    Raises:
+        PlayError: the epoch that is kept, or its version, cannot be used.
+    """
+    from aseme_dsl.runtime.version.epochs import Epoch, EpochError
+
+    check_robot(loaded, robot)
+    kept = epoch_file(loaded, robot)
+    epoch = Epoch(base=loaded.model)
+    try:
+        if fresh:
+            kept.forget()
+        else:
+            epoch = kept.read(loaded.model)
+    except EpochError as problem:
+        raise PlayError(NotPlayed(str(problem))) from problem
+    except OSError as problem:
+        raise PlayError(_not_written(kept.path, problem)) from problem
+    name = version or epoch.hash
+    return (in_version(loaded, name, configuration) if name else loaded), epoch
 
 
 def select(systems: Sequence[Loaded], plan: str | None) -> tuple[Loaded, str | None]:
@@ -476,7 +516,16 @@ def _play_robot(
                 state_directory=_state(request, project),
             )
             with (
-                operable(team, loaded, activities, request.changed, keys, recent),
+                operable(
+                    team,
+                    loaded,
+                    activities,
+                    request.changed,
+                    keys,
+                    recent,
+                    epoch_file(loaded, robot),
+                    request.epoch,
+                ),
                 request.serve(team, recent),
             ):
                 result = team.run()

@@ -309,6 +309,8 @@ class _Run:
         command = [sys.executable, "-m", "aseme_dsl", "node", child.name, str(self._folder.absolute())]
         command += ["--supervised", "--system", self._loaded.name, "--trace", str(trace.absolute())]
         activities = str(self._activities.absolute())
+        if child.starts == 1:
+            command += ["--fresh"]
         if child.version is not None:
             command += ["--in-version", child.version.hash]
         command += ["--activities", activities]

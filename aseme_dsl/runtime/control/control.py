@@ -16,8 +16,10 @@ either what was asked for or `reasons`. How they travel is not known here.
 - `{… "phase": "prepare", "within": 0.3, "hold": 2.0}`
   The team waits up to `within` s for a moment at which all agents here can change. It holds them there, for
   `hold` s at the most. The state is "prepared", with an `id`; or "busy".
+  A swap of the whole team has the number of its `epoch`, which is larger than any before.
 - `{… "phase": "commit", "id": 3}`
-  The swap will be done: if no further request arrives, when `hold` is over.
+  The epoch is kept across a restart from now on. The swap will be done: if no further
+  request arrives, when `hold` is over.
 - `{… "phase": "finish", "id": 3}`
   The swap is done.
 - `{… "phase": "rollback", "id": 3, "reason": "…"}`
@@ -33,21 +35,20 @@ from __future__ import annotations
 
 import itertools
 import threading
-import time
 from collections.abc import Callable
-from dataclasses import field
 from functools import partial
 from pathlib import Path
-from queue import Empty, SimpleQueue
 from typing import TYPE_CHECKING, TypeGuard
 
 from aseme_dsl.outside import loads
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.control.control_log import PROGRAM, ControlLog, Origin
+from aseme_dsl.runtime.control.holding import Held, Keep, NotHeld
 from aseme_dsl.runtime.control.recent import MOST_ASKED, Recent
 from aseme_dsl.runtime.control.replies import HeldSwap, Reply
 from aseme_dsl.runtime.control.status import status_of
 from aseme_dsl.runtime.team.swap import Swap, Version, version_of
+from aseme_dsl.runtime.version.epochs import Epoch, EpochFile
 from aseme_dsl.runtime.version.loading import LoadError, activities_of, load_beside, package_like
 from aseme_dsl.runtime.version.versions import HASH, VersionError, read_version
 
@@ -68,7 +69,6 @@ LONGEST_TEXT = 4096
 """A text in a request has at most so many characters."""
 MOST_NAMES = 10_000
 """A list in a request has at most so many texts."""
-_LOOK_SECONDS = 0.002
 
 
 class Refused(Exception):
@@ -83,6 +83,18 @@ class Changed:
     whole_team: bool
 
 
+@dataclass(frozen=True, slots=True)
+class Missed:
+    """A newer epoch that the agents here are held for, and why they cannot follow it now.
+
+    It is blocked if that is not only a conversation that has to end.
+    """
+
+    epoch: Epoch
+    reasons: tuple[str, ...] = ()
+    is_blocked: bool = False
+
+
 class Control:
     """Answers the requests of operators for a team that runs in real time. May be used from any thread."""
 
@@ -93,9 +105,12 @@ class Control:
         changed: Callable[[Changed], None] | None = None,
         store: Path | None = None,
         recent: Recent | None = None,
+        epochs: EpochFile | None = None,
+        epoch: Epoch | None = None,
     ) -> None:
         """`activities` is the folder of the team's activities; `store` the folder of the versions to which it
         may be changed; `recent` what listens to its trace, for `logs`.
+        `epochs` keeps its epoch, which is `epoch` at first.
 
         `changed` is called with each swap that is done.
         """
@@ -106,9 +121,14 @@ class Control:
         team.at_end.append(self.log.flush)
         self._lock = threading.Lock()
         self._numbers = itertools.count(1)
-        self._held: _Held | None = None
+        self._held: Held | None = None
         self._store = store
         self._recent = recent
+        self._epochs = epochs
+        self.epoch = epoch or Epoch()
+        """The epoch that the agents here follow."""
+        self.held: Missed | None = None
+        """The newer epoch that they are held for, if they are."""
         self._versions: dict[str, Version] = {}
 
     def read(self, data: bytes, origin: Origin) -> Reply:
@@ -169,7 +189,19 @@ class Control:
         going: HeldSwap | None = None
         if held is not None and held.is_alive():
             going = {"id": held.number, "state": held.state}
-        return status_of(self._team, self._activities, self._recent, going)
+        reply = status_of(self._team, self._activities, self._recent, going)
+        missed = self.held
+        reply["epoch"] = {"number": self.epoch.number, "hash": self.epoch.hash, "base": self.epoch.base}
+        reply["held"] = (
+            None
+            if missed is None
+            else {
+                "number": missed.epoch.number,
+                "hash": missed.epoch.hash,
+                "reasons": list(missed.reasons),
+            }
+        )
+        return reply
 
     def _logs(self, request: dict[str, object]) -> Reply:
         if self._recent is None:
@@ -224,7 +256,10 @@ class Control:
                 held = self._held
                 if held is None or not held.is_alive() or held.number != request.get("id"):
                     raise Refused(f"the swap {request.get('id')} is not held here any more")
-                return held.say(str(phase), str(request.get("reason", "the operator said so")))
+                try:
+                    return held.say(str(phase), str(request.get("reason", "the operator said so")))
+                except NotHeld as problem:
+                    raise Refused(str(problem)) from problem
         raise Refused(f"there is no phase {phase!r} of a swap")
 
     def _new_swap(self, request: dict[str, object]) -> Swap:
@@ -263,11 +298,23 @@ class Control:
         return {"state": "busy" if reasons else "ready", "reasons": reasons, "notes": list(swap.notes)}
 
     def _prepare(self, request: dict[str, object]) -> Reply:
+        whole = request.get("agents") is None
+        epoch: Epoch | None = None
+        if whole and (number := request.get("epoch")) is not None:
+            if not _is_whole(number) or number < 1:
+                raise Refused("an epoch is a whole number from 1")
+            epoch = Epoch(number, str(request["hash"]), self.epoch.base)
+            if number <= self.epoch.number:
+                raise Refused(f"epoch {number} is not newer than {self.epoch.number}, which is followed here")
         swap = self._checked(request)
         within, hold = _seconds(request, "within", 0.0), _seconds(request, "hold", HOLD)
-        what = Changed(str(request["hash"]), request.get("agents") is None)
-        finished = partial(self._changed, what)
-        self._held = held = _Held(swap, next(self._numbers), within, hold, finished)
+        what = Changed(str(request["hash"]), whole)
+        keep = Keep(
+            (lambda: None) if epoch is None else partial(self._keep, epoch),
+            partial(self._keep, self.epoch),
+            partial(self._finished, what, epoch),
+        )
+        self._held = held = Held(swap, next(self._numbers), within, hold, keep)
         held.start()
         held.prepared.wait()
         if held.state == "refused":
@@ -278,6 +325,76 @@ class Control:
             "reasons": list(swap.reasons),
             "notes": list(swap.notes),
         }
+
+    # ---- epochs ------------------------------------------------------------------------------
+
+    def _keep(self, epoch: Epoch) -> None:
+        """Keep an epoch across a restart. Raises OSError."""
+        if self._epochs is not None:
+            self._epochs.write(epoch)
+
+    def _finished(self, what: Changed, epoch: Epoch | None) -> None:
+        if epoch is not None:
+            self.epoch = epoch
+            if self.held is not None and not self.held.epoch.is_newer(epoch):
+                self._release()
+        self._changed(what)
+
+    def _release(self) -> None:
+        self.held = None
+        self._team.conversations.hold("")
+
+    def hold(self, epoch: Epoch, reasons: tuple[str, ...] = (), blocked: bool = True) -> None:
+        """The agents here have missed an epoch: they begin no conversation until they follow it."""
+        if self.held is None or self.held.epoch != epoch:
+            text = f"held until epoch {epoch.number} (version {epoch.hash[:12]}) is followed here"
+            self._team.conversations.hold(text)
+            self._team.trace.fault(self._team.driver.clock.now(), "", text)
+        if reasons and (self.held is None or self.held.reasons != reasons):
+            for reason in reasons:
+                self._team.trace.remark(self._team.driver.clock.now(), "", f"held: {reason}")
+        self.held = Missed(epoch, reasons, blocked)
+
+    def follow(self, epoch: Epoch) -> bool:
+        """Follow a newer epoch of the others, if the agents here can just now; whether nothing is left to do.
+
+        They are held until they do.
+        """
+        with self._lock:
+            if self._held is not None and self._held.is_alive():
+                return False  # which may lead there
+            if not epoch.is_newer(self.epoch):
+                self._release()
+                return True
+            running = self._team.version.code
+            if running is not None and running.hash == epoch.hash:  # only its number was missed
+                self._keep(epoch)
+                self.epoch = epoch
+                self._release()
+                return True
+            if self.held is None:
+                self.hold(epoch, (), False)
+            try:
+                swap = self._new_swap({"hash": epoch.hash})
+                if not swap.check():
+                    raise Refused(*swap.reasons)
+            except Refused as problem:
+                self.hold(epoch, tuple(map(str, problem.args)))
+                return False
+            if not swap.hold():
+                self.hold(epoch, swap.reasons, swap.state != "waiting")
+                return False
+            try:
+                self._keep(epoch)
+            except OSError as problem:
+                swap.roll_back(f"the epoch cannot be kept: {problem.strerror or problem}")
+                self.hold(epoch, swap.reasons)
+                return False
+            swap.finish()
+            self.epoch = epoch
+            self._release()
+        self._changed(Changed(epoch.hash, True))
+        return True
 
 
 KINDS = ("status", "logs", "select", "swap", "stop")
@@ -313,6 +430,7 @@ _MEMBERS: dict[str, tuple[Callable[[object], bool], str]] = {
     "within": (_is_number, "a number"),
     "hold": (_is_number, "a number"),
     "id": (_is_number, "a number"),
+    "epoch": (_is_number, "a number"),
     "after": (_is_number, "a number"),
     "most": (_is_number, "a number"),
 }
@@ -339,94 +457,3 @@ def _seconds(request: dict[str, object], name: str, usual: float) -> float:
 def _root(version: Version) -> Path | None:
     """Where the package of a version is imported from, which is not where its functions are."""
     return version.path[0] if version.path else None
-
-
-@dataclass
-class _Said:
-    """Something that is said to who holds the agents, and the reply."""
-
-    phase: str
-    reason: str
-    reply: Reply = field(default_factory=Reply)
-    refused: str = ""
-    done: threading.Event = field(default_factory=threading.Event)
-
-
-class _Held(threading.Thread):
-    """Holds the agents between prepare and finish: locks are for one thread."""
-
-    def __init__(
-        self, swap: Swap, number: int, within: float, hold: float, finished: Callable[[], None]
-    ) -> None:
-        super().__init__(name="aseme swap", daemon=True)
-        self.number = number
-        self.state = "waiting"
-        self.prepared = threading.Event()
-        self._swap = swap
-        self._within = within
-        self._hold = hold
-        self._finished = finished
-        self._said: SimpleQueue[_Said] = SimpleQueue()
-
-    def say(self, phase: str, reason: str) -> Reply:
-        """Say what comes next, and wait until it has been done."""
-        said = _Said(phase, reason)
-        self._said.put(said)
-        if not said.done.wait(self._hold + 5.0) or said.refused:
-            raise Refused(said.refused or "no answer")
-        return said.reply
-
-    def run(self) -> None:
-        try:
-            if self._prepare():
-                self._obey()
-        finally:
-            self.prepared.set()
-            while True:  # no request waits for ever
-                try:
-                    late = self._said.get_nowait()
-                except Empty:
-                    return
-                late.refused = f"the swap {self.number} is {self.state}"
-                late.done.set()
-
-    def _prepare(self) -> bool:
-        swap = self._swap
-        deadline = time.monotonic() + self._within
-        while not swap.hold():
-            if swap.state != "waiting":
-                self.state = swap.state
-                return False
-            if time.monotonic() >= deadline:
-                self.state = "busy"
-                return False
-            time.sleep(_LOOK_SECONDS)
-        self.state = "prepared"
-        self.prepared.set()
-        return True
-
-    def _obey(self) -> None:
-        until = time.monotonic() + self._hold
-        while self.state in ("prepared", "committed"):
-            try:
-                said = self._said.get(timeout=max(0.0, until - time.monotonic()))
-            except Empty:
-                silence = f"no supervisor has confirmed it within {self._hold:g} s"
-                said = _Said("finish" if self.state == "committed" else "rollback", silence)
-            try:
-                if said.phase == "commit":
-                    self.state = "committed"
-                    until = time.monotonic() + self._hold
-                elif said.phase == "finish" and self.state == "committed":
-                    self.state = "done"
-                    self._swap.finish()
-                    self._finished()
-                elif said.phase == "finish":
-                    said.refused = "it has not been committed"
-                else:
-                    self.state = "rolled back"
-                    self._swap.roll_back(said.reason)
-            except Exception as error:  # of a new version's code, say: the operator must hear of it
-                said.refused = f"{type(error).__name__}: {error}"
-            said.reply = {"state": self.state}
-            said.done.set()

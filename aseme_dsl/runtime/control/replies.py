@@ -66,6 +66,22 @@ class ClockDifference(TypedDict):
     uncertainty: int | None
 
 
+class EpochStatus(TypedDict):
+    """The epoch that a process follows: its number, the hash of its version, the model of the build."""
+
+    number: int
+    hash: str
+    base: str
+
+
+class MissedEpoch(TypedDict):
+    """A newer epoch that a process is held for, and why it cannot follow it yet."""
+
+    number: int
+    hash: str
+    reasons: list[str]
+
+
 class HeldSwap(TypedDict):
     """A swap that is under way."""
 
@@ -94,6 +110,8 @@ class Reply(TypedDict, total=False):
     counts: dict[str, int]
     trace_error: str | None
     swap: HeldSwap | None
+    epoch: EpochStatus
+    held: MissedEpoch | None
     # logs
     records: list[LogRecord]
     next: int

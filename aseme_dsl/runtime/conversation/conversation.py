@@ -384,6 +384,14 @@ class Conversations:
                 )
             return found
 
+    def hold(self, reason: str) -> None:
+        """From now on the agents here begin no conversation and join none, for a reason; empty: they may.
+
+        Those in which they take part continue.
+        """
+        with self._lock:
+            self._members.held = reason
+
     def mailbox(self, name: str) -> Mailbox:
         """The messages outside of every protocol that wait for an agent here."""
         return self._delivery.free.box(name)

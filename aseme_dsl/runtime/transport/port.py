@@ -184,6 +184,13 @@ class Transport:
         """Put a control request to an agent elsewhere. Raises TransportError if no answer comes."""
         raise TransportError(f"{name} does not run in another process")
 
+    def ask_epoch(self, name: str, timeout: float = 1.0) -> object:
+        """What an agent elsewhere says of its epoch, as JSON; None: nothing. Raises TransportError."""
+        return None
+
+    def tell_epoch(self, tell: Callable[[], Mapping[str, object]]) -> None:
+        """Have agents elsewhere that ask be answered with this."""
+
     def renew(self, schema: Schema, model: str, plans: Sequence[Plan]) -> None:
         """The agents of this process continue with another version of the model."""
 

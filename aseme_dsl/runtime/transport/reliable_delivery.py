@@ -20,7 +20,7 @@ import contextlib
 import json
 import threading
 import time
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from aseme_dsl import outside
@@ -308,6 +308,18 @@ class Post(Transport):
         if not answers:
             raise TransportError(f"{sender} does not answer")
         return sorted(found, key=lambda item: item[0])
+
+    def ask_epoch(self, name: str, timeout: float = 1.0) -> object:
+        other = self.state.others.get(name)
+        life = None if other is None else other.life
+        for _, payload in self.state.link.ask(name, "history", b'{"epoch": true}', timeout, life):
+            with contextlib.suppress(ValueError):
+                answer = outside.loads(payload, 1 << 12)
+                return answer.get("epoch") if isinstance(answer, dict) else None
+        raise TransportError(f"{name} does not answer")
+
+    def tell_epoch(self, tell: Callable[[], Mapping[str, object]]) -> None:
+        self.inbox.epoch = tell
 
     def ask(self, name: str, request: dict[str, object], timeout: float = 1.0) -> dict[str, object]:
         for _, payload in self.state.link.ask(name, "control", json.dumps(request).encode(), timeout):

@@ -29,6 +29,8 @@ class Members:
     conversations: dict[str, Conversation] = field(default_factory=dict)
     over: dict[str, dict[tuple[str, str], Reason]] = field(default_factory=dict)
     """Who has left the conversations that are forgotten here but may continue elsewhere, the newest last."""
+    held: str = ""
+    """Why the agents here begin no conversation now, nor take part in a further one; empty if they may."""
     opened: dict[tuple[str, str], int] = field(default_factory=dict)
     """How many conversations of a protocol an agent has opened."""
     _playing: dict[Part, list[str]] | None = None

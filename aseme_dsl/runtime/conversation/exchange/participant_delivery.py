@@ -131,7 +131,13 @@ class Delivery:
             if (info.protocol, info.participant) == (acl.protocol, acl.to)
         ]
         if played and played[0].version != acl.version:
-            self._turn_away_incompatible(agent, acl, conversation)
+            reason = f"{acl.sender} plays another version of {acl.protocol}"
+            self._turn_away_incompatible(agent, acl, conversation, reason)
+            return
+        if self._members.held and not self._members.desks[agent.name].invitations.has(
+            (acl.protocol, acl.to), acl.conversation
+        ):
+            self._turn_away_incompatible(agent, acl, conversation, self._members.held)
             return
         info = next((info for info in played if receives(info, acl)), None)
         if info is None or agent.over:
@@ -189,11 +195,13 @@ class Delivery:
         if is_first and not conversation.is_exhausted:
             self.losses.ended(agent, place, acl.conversation, conversation, "completed")
 
-    def _turn_away_incompatible(self, agent: Receiver, acl: AclMessage, conversation: Conversation) -> None:
-        """A message of another version of the protocol: who would learn of a loss loses the agent, others
-        hear `not_understood`.
+    def _turn_away_incompatible(
+        self, agent: Receiver, acl: AclMessage, conversation: Conversation, reason: str
+    ) -> None:
+        """A message of another version of the protocol, or for an agent that is held.
+
+        Who would learn of a loss loses the agent, others hear `not_understood`.
         """
-        reason = f"{acl.sender} plays another version of {acl.protocol}"
         place = conversation.places.get((acl.sender, acl.participant))
         if place is None or acl.to not in (*place.info.loses, *place.info.counts):
             self.unexpected(agent, acl, reason)

@@ -142,12 +142,17 @@ class Sending:
     def _place_of(
         self, agent: Receiver, branch: str, performative: str, message: str, content: object
     ) -> Participation | None:
-        """The branch in a conversation, which is opened if there is none; None, told, if it was left."""
+        """The branch in a conversation, which is opened if there is none; None, told, if it cannot be."""
         place = self._members.desks[agent.name].branches.get(branch)
         if place is None:
             info = agent.branch_info(branch)
             reason = "its participant was left"
             self._told.unsent(agent.name, performative, message, content, info, reason)
+        elif place.conversation is None and self._members.held:
+            reason = self._members.held
+            self._told.unsent(agent.name, performative, message, content, place.info, reason)
+            self._told.fault(agent.name, f"{performative} {message} is not sent: {reason}")
+            return None
         elif place.conversation is None:
             self._open(agent, place)
         return place

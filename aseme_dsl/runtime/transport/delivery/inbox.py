@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import time
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 
 from aseme_dsl import outside
 from aseme_dsl.runtime.message.acl import FipaMessage
@@ -37,6 +37,8 @@ class Inbox:
         self._state = state
         self.answer: Answer | None = None
         """What answers control requests."""
+        self.epoch: Callable[[], Mapping[str, object]] | None = None
+        """What says which epoch the agents here follow."""
 
     def arrived(self, to: str, sender: str, envelope: Envelope, payload: bytes) -> None:
         """Something has come for one of our agents."""
@@ -120,6 +122,8 @@ class Inbox:
                 raise ValueError("a JSON object is wanted")
         except ValueError as problem:
             return [_json_answer(self._state, {"error": f"the question cannot be read: {problem}"})]
+        if what == "history" and "epoch" in request:
+            return [_json_answer(self._state, {} if self.epoch is None else {"epoch": self.epoch()})]
         if what == "history":
             return _history_of(self._state, to, request)
         return []
