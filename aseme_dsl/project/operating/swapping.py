@@ -84,7 +84,7 @@ def swap(
     members = list(team.members) if names is None else names
     needed = quorum_of(quorum, len(members))
     nodes = [node for node in team.nodes if set(node.agents) & set(members)]
-    if names is None and len(known & set(members)) < needed:
+    if names is None and (len(known & set(members)) < needed or (quorum == "all" and team.silent)):
         raise OperateError(*team.reasons())
     epoch = None if names is not None else 1 + max(_epoch(node) for node in nodes)
     request: Request = {"request": "swap", "hash": name, "agents": names}

@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     from aseme_dsl.project.playing.remote import Robot
     from aseme_dsl.runtime.control.replies import Reply
 
+SEVERAL = "team"
+"""What a process with several agents is called."""
 UNKNOWN = "it runs in no process that was asked"
 
 
@@ -80,6 +82,7 @@ def whole_team(output: Path, robots: Sequence[Robot] | None = None, seconds: flo
         members = [robot.name for robot in robots]
     else:
         members = [name for node in nodes for name in (*node.agents, *node.status["elsewhere"])]
+        members += [item.name for item in silent if item.name != SEVERAL]
     return WholeTeam(nodes, silent, tuple(sorted(set(members))))
 
 
