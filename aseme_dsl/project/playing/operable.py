@@ -55,7 +55,7 @@ def operable(
         team.transport.answer(control.not_over_the_bus)
     else:
         team.transport.answer(Gate(control, keys, loaded.name, team.transport.life).answer)
-    catching_up = CatchingUp(team, control) if team.transport.networked and epoch is not None else None
+    catching_up = CatchingUp(team, control) if epoch is not None and team.transport.networked else None
     if catching_up is not None:
         catching_up.begin()
         team.at_end.append(catching_up.close)
