@@ -18,8 +18,7 @@ from aseme_dsl.compiler.read.memory import Memory
 from aseme_dsl.compiler.stages.declarations import Declarations
 from aseme_dsl.compiler.stages.found import Found, Stage
 from aseme_dsl.compiler.stages.processes import Described, Processes
-from aseme_dsl.compiler.types.round_values import check_rounds
-from aseme_dsl.compiler.types.state_values import check_states
+from aseme_dsl.compiler.types.state_values import check_rounds, check_states
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.proofs.prover import Prover
 from aseme_dsl.records import dataclass

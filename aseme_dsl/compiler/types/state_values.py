@@ -1,11 +1,14 @@
-"""State values: `in(T)`, `done(T)` and `count(T)`, typed; whether a chart has the states that they name."""
+"""State values (`in(T)`, `done(T)`, `count(T)`) and round values (`invited(q)`, `answered(q)`), typed.
+
+Also whether a chart has the states that are named, and whether rounds are asked for only by conditions.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from typing import assert_never
 
-from aseme_dsl.amola.expression import StateValue, values_of, walk
+from aseme_dsl.amola.expression import RoundValue, StateValue, values_of, walk
 from aseme_dsl.amola.meant import states_meant
 from aseme_dsl.amola.messages import BOOL, INT
 from aseme_dsl.amola.statechart import State, Statechart, StateType
@@ -16,8 +19,14 @@ from aseme_dsl.compiler.read.names import unknown
 from aseme_dsl.compiler.read.pieces import InPieces
 from aseme_dsl.compiler.types.calls import is_given, only_name
 from aseme_dsl.diagnostics import Diagnostic, Related
+from aseme_dsl.diagnostics.problems.absences import NoPartner
 from aseme_dsl.diagnostics.problems.expressions.absences import NoStateAsked
 from aseme_dsl.diagnostics.problems.expressions.paths import CountOfSeveral, NeverDone, StateAskedInAction
+from aseme_dsl.diagnostics.problems.talk import (
+    AnswersInAction,
+    AnswersOfNobody,
+    ExchangeOutsideProtocol,
+)
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
@@ -99,4 +108,56 @@ def _completes(chart: Statechart, node: State) -> bool:
             assert_never(node.type)
 
 
-__all__ = ["check_states", "state_value"]
+def round_value(checker: Checker, question: str, written: tree.Call) -> RoundValue | None:
+    """A question about the last send to a participant: E205, E504, E576."""
+    scope = checker.scope
+    if not is_given(checker, question, written, 1):
+        return None
+    name = only_name(checker, question, written.arguments[0], "participant")
+    if name is None:
+        return None
+    if not scope.parties:
+        checker.report(ExchangeOutsideProtocol("answered"), written.span)
+        return None
+    party = scope.parties.get(name.text)
+    if party is None:
+        if not scope.symbols.is_excused(name.text):
+            checker.diagnostics.append(unknown(NoPartner, name, scope.parties))
+        return None
+    own = scope.parties.get(scope.participant or "")
+    if own is not None and not own.wrong and not party.wrong:
+        received = {(item.performative, item.message) for item in party.receives}
+        if not any((item.performative, item.message) in received for item in own.sends):
+            checker.report(AnswersOfNobody(own.name, party.name), written.span)
+            return None
+    kind = BOOL if question == "all_answered" else INT
+    return RoundValue(question, name.text, kind, name.span, written.span)
+
+
+def check_rounds(charts: Sequence[Statechart], memory: Memory) -> InPieces[list[Diagnostic]]:
+    """E575 where something else than a condition counts answers."""
+    found: dict[Span, Diagnostic] = {}
+    asked = yield from memory.each_in_pieces(_asked_elsewhere, zip(charts))
+    for values in asked:
+        for value in values:
+            found.setdefault(value.span, Diagnostic(AnswersInAction(value.question), value.span))
+    return list(found.values())
+
+
+def _asked_elsewhere(chart: Statechart) -> tuple[RoundValue, ...]:
+    return tuple(_each_elsewhere(chart))
+
+
+def _each_elsewhere(chart: Statechart) -> Iterator[RoundValue]:
+    for node in chart.states:
+        for argument in node.arguments:
+            yield from (value for value in walk(argument.value) if isinstance(value, RoundValue))
+    for transition in chart.transitions:
+        guard = transition.expression.guard
+        asked = {value.span for value in (walk(guard) if guard is not None else ())}
+        for value in values_of(transition.expression):
+            if isinstance(value, RoundValue) and value.span not in asked:
+                yield value
+
+
+__all__ = ["check_rounds", "check_states", "round_value", "state_value"]

@@ -33,8 +33,7 @@ from aseme_dsl.compiler.types.operators import (
     negate,
 )
 from aseme_dsl.compiler.types.outcome_values import NAMED_RESULTS, alone, compare_outcome, is_about_outcome
-from aseme_dsl.compiler.types.round_values import round_value
-from aseme_dsl.compiler.types.state_values import state_value
+from aseme_dsl.compiler.types.state_values import round_value, state_value
 from aseme_dsl.diagnostics import Diagnostic, Related, closest, surely
 from aseme_dsl.diagnostics.problems.control import EventBesideWhen, IgnoredNoSignal
 from aseme_dsl.diagnostics.problems.expressions import paths as problems
