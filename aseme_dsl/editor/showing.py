@@ -205,7 +205,7 @@ class Showing:
     def configured(self, given: object) -> None:
         """Take over settings; what is none is said."""
         try:
-            self.proofs.settings = read_settings(given, self.proofs.settings)
+            self.proofs.configure(read_settings(given, self.proofs.settings))
         except WrongSetting as problem:
             self._say(f"asemec: {problem}")
 

@@ -193,6 +193,8 @@ async def test_a_click_proves_and_the_counterexample_becomes_a_scenario(project:
     title = await shown(project, "loan.aseme", QUESTIONS[2], is_verdict)
     assert title == "PROVED · 1 borrower, 1 lender; any delay; 53 states"
     assert (await lenses(project, "loan.aseme"))[QUESTIONS[1]] == "prove"
+    (progress,) = project.client.progress_reports.values()
+    assert [type(item) for item in progress][:1] == [lsp.WorkDoneProgressBegin]
 
     await click(project, "loan.aseme", QUESTIONS[1])
     title = await shown(project, "loan.aseme", QUESTIONS[1], is_verdict)
@@ -236,6 +238,32 @@ async def test_a_click_proves_and_the_counterexample_becomes_a_scenario(project:
     await until(lambda: not refuted())
     project.change("loan.aseme", LOAN)
     assert (await lenses(project, "loan.aseme"))[QUESTIONS[1]] == title
+
+
+async def test_what_cannot_be_proved_is_said(project: Project) -> None:
+    (project.folder / "shared.aseme").write_text("message Tool { int number }\n")
+    text = LOAN.replace("message Tool { int number }", 'import "shared.aseme"')
+    put(project, "loan.aseme", text)
+    put(project, "shared.aseme", "message Tool { int number }\n")
+    project.change("shared.aseme", "message Tool { int numbers }\n")
+    assert await said_after(project, PROVE) == "Not proved: save shared.aseme first, which is imported"
+    project.change("loan.aseme", text.replace("Look .", "Look . ."))
+    assert await said_after(project, PROVE) == "Not proved: the file has errors"
+    wrong = lsp.DidChangeConfigurationParams({"prove": {"budget": "soon"}})
+    message = project.client.protocol.wait_for_notification_async(lsp.WINDOW_SHOW_MESSAGE)
+    waiting = asyncio.ensure_future(message)
+    await asyncio.sleep(0)
+    project.client.workspace_did_change_configuration(wrong)
+    assert (await waiting).message == 'asemec: prove.budget is a duration like "10s", not soon'
+
+
+async def said_after(project: Project, command: str) -> str:
+    """What the editor shows after a click above the system."""
+    message = project.client.protocol.wait_for_notification_async(lsp.WINDOW_SHOW_MESSAGE)
+    waiting = asyncio.ensure_future(message)
+    await asyncio.sleep(0)
+    await click(project, "loan.aseme", "all", command)
+    return str((await asyncio.wait_for(waiting, 60)).message)
 
 
 def run(folder: Path, *arguments: str) -> subprocess.CompletedProcess[str]:

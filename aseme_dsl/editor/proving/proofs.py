@@ -121,6 +121,14 @@ class Proofs:
             running.task.cancel()
             self._changed(root, False)
 
+    def configure(self, settings: Settings) -> None:
+        """Take over settings; what was found with others does not count as all there is to find."""
+        if settings != self.settings:
+            self.settings = settings
+            for texts in self._known.values():
+                for known in texts.values():
+                    known.is_all = False
+
     def stop_all(self) -> None:
         for root in list(self.running):
             self.stop(root)
