@@ -342,6 +342,7 @@ async def test_no_process_stays_behind(tmp_path: Path, is_killed: bool) -> None:
     put(project, "big.aseme", BIG)
     await until(lambda: provers(project))
     (pid,) = provers(project)
+    await until(lambda: len(list(Path(f"/proc/{pid}/task").iterdir())) > 1)  # it has read the question
     server = client._server
     assert server is not None
     if is_killed:
