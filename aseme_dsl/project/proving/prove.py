@@ -27,6 +27,7 @@ from aseme_dsl.project.building.build import choose
 from aseme_dsl.project.building.project import Compiled, compile_root, options_of
 from aseme_dsl.project.playing.operate import generate_version, loaded_for
 from aseme_dsl.project.proving.judging import Judge, Reached, Times, asks_for_times, dead_states
+from aseme_dsl.project.proving.pairs import by_pairs
 from aseme_dsl.project.proving.results import Bounds, Result, Verdict
 from aseme_dsl.project.proving.scopes import Scope, scopes_of
 from aseme_dsl.project.proving.watched import (
@@ -141,6 +142,10 @@ def _explored(
                 one = replace(own_script, expectations=(item,))
                 about = asked_by(one)
                 if is_timed(item.rule):
+                    continue
+                proved = by_pairs(scope, own_script, item, loaded, assumed, share(3))
+                if proved is not None:
+                    found[named(item)] = proved
                     continue
                 judge = None if about is None else search_in(scope, one, share(2), about=about)
                 if judge is None:

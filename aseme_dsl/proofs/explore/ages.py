@@ -6,8 +6,9 @@ is moved back. Each may pass before each other one, as far as none is counted fr
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
+from functools import partial
 
 from aseme_dsl.proofs.explore.surroundings import NOW
 from aseme_dsl.proofs.timed.stamp import standing
@@ -17,7 +18,7 @@ from aseme_dsl.runtime.agent.agent import Agent
 from aseme_dsl.runtime.chart.board import NEVER, Board
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.history import History
-from aseme_dsl.runtime.chart.inputs import Sample
+from aseme_dsl.runtime.chart.inputs import Identity, Sample
 from aseme_dsl.runtime.chart.plan import Plan
 
 _ORDER = ("==", "!=", "<", "<=", ">", ">=")
@@ -37,6 +38,8 @@ class Passing:
     """The moment from which it is counted; of a timer, that at which it runs out."""
     place: tuple[object, ...] = ()
     """Which one it is, of several with this name."""
+    identity: Identity | None = None
+    """That of the message."""
 
 
 def passing(chart: Chart, thresholds: Mapping[str, tuple[int, ...]]) -> Iterator[Passing]:
@@ -44,6 +47,10 @@ def passing(chart: Chart, thresholds: Mapping[str, tuple[int, ...]]) -> Iterator
     if not chart.started or chart.finished or chart.failure is not None:
         return
     yield from _states(chart)
+    yield from _once(_of_boards(chart, thresholds))
+
+
+def _of_boards(chart: Chart, thresholds: Mapping[str, tuple[int, ...]]) -> Iterator[Passing]:
     for number, board in enumerate(chart.boards()):
         if board is None:
             continue
@@ -51,6 +58,22 @@ def passing(chart: Chart, thresholds: Mapping[str, tuple[int, ...]]) -> Iterator
             if due > NOW:
                 yield Passing("timer", name, 0, _expire(board, name, due), due, (number,))
         yield from _messages(number, board, thresholds)
+
+
+def _once(items: Iterable[Passing]) -> Iterator[Passing]:
+    """The same, but a message that stands on several blackboards becomes old on all of them at once."""
+    found: dict[tuple[object, ...], list[Passing]] = {}
+    for item in items:
+        key = item.what, item.name, item.duration, item.identity or item.place
+        found.setdefault(key, []).append(item)
+    for same in found.values():
+        calls = [item.pass_ for item in same]
+        yield same[0] if len(same) == 1 else replace(same[0], pass_=partial(_all, calls))
+
+
+def _all(calls: Sequence[Callable[[], None]]) -> None:
+    for call in calls:
+        call()
 
 
 def pauses(agent: Agent) -> Iterator[tuple[str, _Node, int]]:
@@ -151,12 +174,13 @@ def _messages(number: int, board: Board, thresholds: Mapping[str, tuple[int, ...
             older = next_age(NOW - item.time, ages)
             if older is not None:
                 pass_ = _older(board, channel, sender, item, older)
-                yield Passing("message", channel, older, pass_, item.time, (number, sender))
+                place = number, sender
+                yield Passing("message", channel, older, pass_, item.time, place, item.identity)
     for channel, longest in board.EXPIRES.items():
         for index, item in enumerate(board._signals.get(channel, ())):
             if NOW - item.time < longest:
                 pass_ = _old(board, channel, item, longest)
-                yield Passing("signal", channel, longest, pass_, item.time, (number, index))
+                yield Passing("signal", channel, longest, pass_, item.time, (number, index), item.identity)
 
 
 def next_age(age: int, ages: tuple[int, ...]) -> int | None:

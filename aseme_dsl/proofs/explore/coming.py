@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from functools import cached_property
 
+from aseme_dsl.proofs.explore.alone import Alone
 from aseme_dsl.proofs.explore.deciding.choosing import Choices
 from aseme_dsl.proofs.explore.deciding.later import Contents, Later
 from aseme_dsl.proofs.explore.deciding.staging import by_lines_of, copied
@@ -31,6 +32,7 @@ class Coming:
         later: Later,
         of_modules: Collection[str],
         told: Collection[str],
+        alone: Alone | None = None,
     ) -> None:
         """Modules publish on the channels `of_modules`. Of messages of the types `told`, something else asks
         what they say, or when they come."""
@@ -42,6 +44,7 @@ class Coming:
         self._of_modules = frozenset(of_modules)
         self._plans = list({agent.role: agent.plan for agent in agents}.values())
         self._kept = frozenset(told).union(*map(copied, self._plans))
+        self._alone = alone
         self.needed: Needed | None = None
         """The regions that matter, if not all do."""
         self._may_come: dict[str, set[str]] = {}
@@ -60,7 +63,7 @@ class Coming:
     def reaches(self, writer: str, reader: str, channel: str) -> bool:
         """Whether what a role publishes on a channel comes to agents of another, or to itself."""
         readers = {agent.name for agent in self._agents if agent.role == reader}
-        return any(
+        return self._alone is None and any(
             readers.intersection(self._bus._routes.receivers(agent.name, channel).names)
             for agent in self._agents
             if agent.role == writer
@@ -81,15 +84,22 @@ class Coming:
             channel
             for channel in agent.chart.READERS
             if channel in rules
-            and (channel not in writers or channel in self._of_modules or rules[channel].is_from_outside)
+            and (
+                self._alone is not None
+                or channel not in writers
+                or channel in self._of_modules
+                or rules[channel].is_from_outside
+            )
             and (self.needed is None or channel in self.needed.reads[agent.role])
         )
 
     @cached_property
     def brief(self) -> Mapping[str, Mapping[str, frozenset[str]]]:
         """The channels, by agent, with its activities that publish there; none for an input."""
-        within = {channel for plan in self._plans for info in plan.activities for channel in info.writes}
-        within.update(*map(by_lines_of, self._plans))
+        within: set[str] = set()
+        if self._alone is None:
+            within.update(channel for plan in self._plans for i in plan.activities for channel in i.writes)
+            within.update(*map(by_lines_of, self._plans))
         return {
             agent.name: {
                 **{
@@ -104,10 +114,14 @@ class Coming:
 
     def _is_brief(self, channel: str) -> bool:
         _, kind, message = channel.split(".", 2)
+        if self._alone is not None:
+            return message not in self._kept and channel not in self._alone.kept
         return kind != "signal" and message not in self._kept
 
     def own(self, agent: Agent) -> dict[str, frozenset[str]]:
         """The channels on which what activities of an agent publish comes to it alone, with these."""
+        if self._alone is not None:
+            return {}
         found = {
             channel: frozenset(info.name for info in agent.plan.activities if channel in info.writes)
             for channel in agent.chart.READERS
@@ -179,7 +193,8 @@ class Coming:
         if self._choices.of(("come", name, channel), (None, True), f"{name}: {message} has come"):
             agent = next(item for item in self._agents if item.name == name)
             is_own = bool(self.brief[name][channel])
-            content = self._contents.new(message, ("input",), "{}", f"{name}: {message}")
+            fixed = self._fixed(channel)
+            content = self._contents.new(message, ("input",), "{}", f"{name}: {message}", fixed)
             identity = agent.identity() if is_own else self._bus.outside()
             now = agent.driver.clock.now()
             item = Sample(channel, content, name if is_own else "input", now, identity)
@@ -190,6 +205,9 @@ class Coming:
 
     def forget(self, agent: Agent) -> None:
         """What was decided of the newest messages may be otherwise, as far as new ones may come now."""
+        if self._alone is not None:
+            self._drop(agent)
+            return
         for channel in self.brief[agent.name]:
             if not (agent.over or agent.down or self.may_come(agent, channel)):
                 continue
@@ -198,15 +216,52 @@ class Coming:
                 if item is not None and item.time == NOW:
                     self._later.forget(item.message)
 
+    def _drop(self, agent: Agent) -> None:
+        """What came to an agent alone may be there, or not, whenever it looks for it."""
+        for channel in self.brief[agent.name]:
+            for board in agent.chart.boards():
+                item = None if board is None else board.newest(channel)
+                if board is None or item is None:
+                    continue
+                self._later.forget(item.message)
+                if self._alone is not None and channel in self._alone.fixed:
+                    continue  # once it is there, what is known of it is so
+                board.part()
+                for held in (board._states, board._data, board._signals):
+                    held.pop(channel, None)
+                board._refresh(channel)
+
+    def forget_kept(self, agent: Agent, ages: Mapping[str, tuple[int, ...]]) -> None:
+        """What is kept of messages, but not always: what they say, once no condition asks whether they are
+        older, and of the others the members that do not matter."""
+        assert self._alone is not None
+        for channel in self._alone.kept:
+            for board in agent.chart.boards():
+                item = None if board is None else board.newest(channel)
+                if item is None:
+                    continue
+                is_old = NOW - item.time >= max(ages.get(channel, ()), default=0)
+                kept = (
+                    frozenset[tuple[str, ...]]() if is_old else self._alone.members.get(channel, frozenset())
+                )
+                self._later.forget(item.message, kept)
+
     def give(self, agent: Agent, channel: str) -> None:
         """A message comes from outside."""
         for board in agent.chart.boards():
             if board is not None and channel in board._data:  # of data, the newest is all that is read
                 board.part()
                 del board._data[channel]
+        self._bus.give(agent, channel, self.content(agent, channel))
+
+    def content(self, agent: Agent, channel: str) -> object:
+        """The content of a message that comes to an agent."""
         message = channel.rpartition(".")[2]
-        content = self._contents.new(message, ("input",), "{}", f"{agent.name}: {message}")
-        self._bus.give(agent, channel, content)
+        fixed = self._fixed(channel)
+        return self._contents.new(message, ("input",), "{}", f"{agent.name}: {message}", fixed)
+
+    def _fixed(self, channel: str) -> Mapping[tuple[str, ...], object]:
+        return {} if self._alone is None else self._alone.fixed.get(channel, {})
 
 
 __all__ = ["Coming"]

@@ -11,6 +11,7 @@ from dataclasses import field
 from functools import partial
 
 from aseme_dsl.proofs.explore.ages import Passing, asks_for_history, passing, pauses, thresholds_of
+from aseme_dsl.proofs.explore.alone import Alone, Sent, fixed_in, measured, reads_of
 from aseme_dsl.proofs.explore.coming import Coming
 from aseme_dsl.proofs.explore.deciding.acting import Acting, Free
 from aseme_dsl.proofs.explore.deciding.choosing import Choices
@@ -30,6 +31,7 @@ from aseme_dsl.runtime.activity.executions import _Node
 from aseme_dsl.runtime.agent.agent import Agent
 from aseme_dsl.runtime.channel.bus import Bus
 from aseme_dsl.runtime.chart.chart import Chart
+from aseme_dsl.runtime.chart.inputs import Sample
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.conversation.conversation import Conversations
 from aseme_dsl.runtime.message.acl import AclMessage
@@ -96,12 +98,14 @@ class Explored:
         told: frozenset[str] = frozenset(),
         asked: Asked | None = None,
         with_times: bool = False,
+        alone: Alone | None = None,
     ) -> None:
         """`listeners` are given the lines of a trace. `further` objects belong to the state of the team;
         `layout` has the parts of these, and what of those is not keyed (see `Layout`). They ask for the
         variables and timers in `kept`, and for what is in messages of the types `told`. What does not matter
         to the question that is `asked`, if there is one, does not move. `with_times`, each move says when it
-        may happen, counted from those before; else time is not measured."""
+        may happen, counted from those before; else time is not measured. `alone`, there is one agent, and it
+        says what comes to that."""
         self.choices = Choices()
         self._assumed = assumed
         self.driver = driver = Still()
@@ -113,6 +117,11 @@ class Explored:
         """How many moves were made; with times, the number of the present one."""
         self.came: Came | None = None
         """What has come in the present move."""
+        self.alone = alone
+        self.sent: list[Sent] = []
+        """When that was sent which has come in the present move, if it was not then."""
+        self.stepped: Callable[[], None] = lambda: None
+        """Called after each step of an agent."""
         self.windows: list[Window] = []
         """What has turned out in the present move about when it is made."""
         if with_times:
@@ -125,10 +134,16 @@ class Explored:
         roles = dict.fromkeys(role for _, role in team)
         plans = [loaded.charts[role].PLAN for role in roles]
         self._modules = tuple((plan.name, module) for plan in plans for module in plan.modules)
-        self.values = Values(plans, loaded.messages, names)
+        fixed = (
+            {}
+            if alone is None
+            else fixed_in(alone, [channel for plan in plans for channel in reads_of(plan)])
+        )
+        self.values = Values(plans, loaded.messages, names, fixed)
         self.later = Later(self.choices, self.values)
         contents = Contents(self.choices, self.values, self.later, loaded.messages, told)
         self._acting = acting = Acting(self.choices, self.values, contents, plans, self._is_new)
+        acting.publishes = alone is None
         charts = {
             name: staged(
                 loaded.charts[role],
@@ -159,6 +174,7 @@ class Explored:
             self.later,
             [channel for _, module in self._modules for channel in module.writes],
             told,
+            alone,
         )
         self._events = {plan.name: events(plan) for plan in plans}
         self._ages = {plan.name: thresholds_of(plan)[0] for plan in plans}
@@ -239,6 +255,7 @@ class Explored:
     def _begin_all(self) -> None:
         for agent in self.agents:
             agent.begin()
+            self.stepped()
 
     def _touch(self, name: str) -> None:
         """An agent may be changed in this move; an empty name: any of them."""
@@ -257,6 +274,7 @@ class Explored:
             for agent in waiting:
                 self._touch(agent.name)
                 agent.process(agent.take())
+                self.stepped()
         raise Circling(", ".join(agent.name for agent in self.agents if agent.intake))
 
     def _forget(self) -> None:
@@ -265,6 +283,8 @@ class Explored:
             if agent.name not in self._touched:
                 continue
             self.coming.forget(agent)
+            if self.alone is not None:
+                self.coming.forget_kept(agent, self._ages[agent.role])
             nodes = agent.executions._nodes
             paced = {label for label, *_ in pauses(agent)} if self._with_times else ()
             for label in [label for label, node in nodes.items() if _is_idle(node) and label not in paced]:
@@ -340,7 +360,7 @@ class Explored:
             (f"pause {agent.name} {label}", node.last_start)
             for agent in self.agents
             for label, node, _ in pauses(agent)
-            if node.last_start is not None
+            if node.last_start is not None and self.matters(agent.name, label)
         ]
         for name, since in found:
             mark = marked(name, since)
@@ -351,6 +371,7 @@ class Explored:
         """Make a move, by the choices that are next. Raises Circling."""
         self.arriving = None
         self.windows.clear()
+        self.sent.clear()
         self.came = None
         self._touched.clear()
         self.coming.begin()
@@ -475,7 +496,7 @@ class Explored:
             if agent.over or agent.down:
                 continue
             for label, node, every in pauses(agent) if self._with_times else ():
-                if node.held is None and node.last_start is not None:
+                if node.held is None and node.last_start is not None and self.matters(agent.name, label):
                     text = f"{agent.name}: {node.program.info.name} may begin again"
                     do = partial(setattr, node, "last_start", standing(node.last_start, NOW - every))
                     when = window(node.last_start, every, every)
@@ -502,7 +523,8 @@ class Explored:
             for channel in self.coming.inputs[agent.name]:
                 boards = [board for board in agent.chart.boards() if board is not None]
                 if not self._is_new(agent, channel) and not any(board.waits(channel) for board in boards):
-                    do = partial(self.coming.give, agent, channel)
+                    is_kept = self.alone is not None and channel in self.alone.kept
+                    do = partial(self._give_kept if is_kept else self.coming.give, agent, channel)
                     yield Move(
                         ("input", agent.name, channel),
                         f"{agent.name} gets {channel}",
@@ -548,6 +570,18 @@ class Explored:
         if came.window is not None:
             self.windows.append(came.window)
         return came.give
+
+    def _give_kept(self, agent: Agent, channel: str) -> None:
+        """A message comes of which it matters when it was sent."""
+        assert self.alone is not None
+        rule = next((info for info in agent.plan.channels if info.name == channel), None)
+        ages = self._ages[agent.role].get(channel, ())
+        time, is_own, sent = measured(rule, self.alone, self.moved, ages, self.choices)
+        if sent is not None:
+            self.sent.append(sent)
+        identity = agent.identity() if is_own else self.bus.outside()
+        content = self.coming.content(agent, channel)
+        agent.post(identity, Sample(channel, content, "input", time, identity))
 
     def _pass(self, agent: Agent, pass_: Callable[[], None]) -> None:
         pass_()

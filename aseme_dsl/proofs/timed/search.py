@@ -15,7 +15,17 @@ from time import process_time
 from aseme_dsl.proofs.explore.explored import Circling, Explored, Move
 from aseme_dsl.proofs.explore.search import Arrival, Eyes, Graph, Limits, Monitors, Sighting, Step
 from aseme_dsl.proofs.timed.stamp import Mark, Window
-from aseme_dsl.proofs.timed.zone import Zone, at_most, begun, covers, kept, later, narrowed, shown
+from aseme_dsl.proofs.timed.zone import (
+    Zone,
+    at_most,
+    begun,
+    begun_before,
+    covers,
+    kept,
+    later,
+    narrowed,
+    shown,
+)
 from aseme_dsl.records import dataclass
 
 _Rows = tuple[tuple[int, ...], ...]
@@ -43,6 +53,10 @@ class Watching:
     monitors: Monitors = Monitors()
     dues: Callable[[], Sequence[Due]] = tuple
     begins: Callable[[], None] = lambda: None
+    noted: Callable[[Zone], None] = lambda zone: None
+    """Called with what is known of times after each move."""
+    stays: Callable[[Zone], None] = lambda zone: None
+    """Called in each state, with what is known of times as long as nothing happens."""
 
 
 def search_with_times(
@@ -76,6 +90,7 @@ class _Search:
         self._monitors = watching.monitors
         self._dues = watching.dues
         self._begins = watching.begins
+        self._watching = watching
         self._limits = limits
         self._horizon = horizon
         self._graph = Graph()
@@ -132,6 +147,8 @@ class _Search:
             if late is not None:
                 self._pass(state, due, late, (*bounds, *others, own))
         there = _within(there, waiting)
+        if there is not None:
+            self._watching.stays(there)
         for number, (move, own_window) in enumerate(zip(moves, windows, strict=True)):
             zone = there if own_window is None else _from(there, own_window)
             if zone is None:
@@ -192,12 +209,16 @@ class _Search:
         if self._wants_failures:
             seen = (Sighting(kind, text, (state, step)) for kind, text, _ in self._eyes.seen)
             graph.sightings += [item for item in seen if item.kind == "failure"]
-        self._note(begun(zone, explored.moved), (state, step))
+        zone = begun(zone, explored.moved)
+        for sent in explored.sent:
+            zone = begun_before(zone, sent.origin, sent.least, sent.most)
+        self._note(zone, (state, step))
 
     def _note(self, zone: Zone, before: Arrival) -> None:
         explored, graph = self._explored, self._graph
         for number in self._monitors.broken():
             graph.broken.setdefault(number, before)
+        self._watching.noted(zone)
         picture = explored.picture()
         marks = sorted(
             (

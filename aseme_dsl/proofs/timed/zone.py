@@ -58,6 +58,13 @@ def begun(zone: Zone, clock: int) -> Zone:
     return Zone((*zone.clocks, clock), (*rows, (*zone.rows[0], AT_MOST_0)))
 
 
+def begun_before(zone: Zone, clock: int, least: int, most: int | None) -> Zone:
+    """With a new clock, which shows any time from `least` to `most` (None: any), whatever the others show."""
+    high, low = FREE if most is None else at_most(most), at_most(-least)
+    rows = tuple((*row, added(row[0], low)) for row in zone.rows)
+    return Zone((*zone.clocks, clock), (*rows, (*(added(high, bound) for bound in zone.rows[0]), AT_MOST_0)))
+
+
 def narrowed(zone: Zone, one: int, other: int, bound: int) -> Zone | None:
     """The times at which row `one` - row `other` keeps a bound, too; None if there are none."""
     rows = zone.rows
@@ -108,6 +115,7 @@ __all__ = [
     "added",
     "at_most",
     "begun",
+    "begun_before",
     "covers",
     "kept",
     "later",

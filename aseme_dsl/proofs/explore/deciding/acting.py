@@ -54,6 +54,8 @@ class Acting:
         self._watched = {plan.name: watched(plan) for plan in plans}
         self._writes: dict[tuple[str, str], list[str]] = {}
         self._reads = 0
+        self.publishes = True
+        """Whether what activities publish matters."""
 
     def acts(self, execution: Execution) -> bool:
         """Whether an activity may do something that others see, and continue."""
@@ -66,7 +68,7 @@ class Acting:
             for *_, states, _ in agent.branch_info(execution.branch).moves
             for state in states
         )
-        writes = any(not self._is_new(agent, channel) for channel in info.writes)
+        writes = self.publishes and any(not self._is_new(agent, channel) for channel in info.writes)
         return bool(sets or writes or sends)
 
     def written(self, agent: Agent, execution: Execution, *, is_end: bool) -> list[str]:
@@ -144,7 +146,9 @@ class Acting:
 
     def _publish(self, agent: Agent, execution: Execution, channel: str) -> None:
         message = channel.rpartition(".")[2]
-        if not any(channel in region.reads for plan in self._plans.values() for region in plan.regions):
+        if not self.publishes or not any(
+            channel in region.reads for plan in self._plans.values() for region in plan.regions
+        ):
             return
         text = f"{execution.activity} publishes {message}"
         if self._choices.of(("publish", channel), (None, True), text):

@@ -56,13 +56,13 @@ class Later:
         self._choices.note(("made", self.decided.made, kind.__name__))
         return self._open(kind, _Content(self.decided.made, kind, tried, name), ())
 
-    def forget(self, message: object) -> None:
-        """What was decided of a message may be otherwise from now on."""
+    def forget(self, message: object, kept: Container[Path] = ()) -> None:
+        """What was decided of a message may be otherwise from now on, but for the members in `kept`."""
         content = content_of(message)
         if content is not None:
             self._choices.note(("forgotten", content.number))
             values = self.decided.values
-            for key in [key for key in values if key[0] == content.number]:
+            for key in [key for key in values if key[0] == content.number and key[2] not in kept]:
                 del values[key]
 
     def keep(self, numbers: Container[int]) -> bool:
@@ -95,6 +95,8 @@ class Later:
         """What a member may hold; of numbers that are only compared with each other those that there are, and
         another one."""
         key = content.kind.__name__, path
+        if len(content.tried[path]) == 1:
+            return content.tried[path]
         if key not in self._alike:
             self._alike[key] = self._values.alike(*key)
         alike = self._alike[key]
@@ -157,12 +159,21 @@ class Contents:
         self._messages = messages
         self._told = told
 
-    def new(self, message: str, question: Hashable, text: str, name: str) -> object:
+    def new(
+        self,
+        message: str,
+        question: Hashable,
+        text: str,
+        name: str,
+        fixed: Mapping[Path, object] | None = None,
+    ) -> object:
         """A content of a type of message; `name` is what it is, and `text` what is said of one that is
-        decided now, with `{}` for it."""
+        decided now, with `{}` for it. The members in `fixed` hold that, if they are decided later."""
         tried = None if message in self._told else self._values.tried(message)
         if tried is None:
             return self._choices.of(question, self._values.contents(message), text)
+        if fixed:
+            tried = {path: (fixed[path],) if path in fixed else some for path, some in tried.items()}
         return self._later.content(self._messages[message], tried, name)
 
 

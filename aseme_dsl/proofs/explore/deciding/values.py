@@ -7,10 +7,11 @@ for a few values only. Every answer names these.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import field
 from enum import IntEnum
 from itertools import count, islice, pairwise, product
+from operator import eq, ge, gt, le, lt, ne
 from types import NoneType, UnionType
 from typing import Union, cast, get_args, get_origin
 
@@ -26,6 +27,15 @@ MOST = 64
 """So many contents of one message are tried at the most."""
 
 _ORDER = ("==", "!=", "<", "<=", ">", ">=")
+_SIGNS: Mapping[str, Callable[[float, float], bool]] = {
+    "==": eq,
+    "!=": ne,
+    "<": lt,
+    "<=": le,
+    ">": gt,
+    ">=": ge,
+}
+_TURNED = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
 _PLAIN = frozenset(("!", "&&", "||", "has", "holds", "call", "evaluate", "age", "", "send"))
 """What reads no more of a value than whether it is true or there, or hands it to a function."""
 
@@ -47,6 +57,8 @@ class _Class:
     """Constants with which something is compared that is computed from them."""
     is_ordered: bool = False
     """Whether one is compared with another by more than equality."""
+    signs: set[tuple[str, float]] = field(default_factory=set)
+    """The signs with which any of them is compared with constants."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,8 +73,16 @@ class Values:
     """What is tried, by what the plans of a team do with each value."""
 
     def __init__(
-        self, plans: Iterable[Plan], messages: Mapping[str, type[object]], agents: Sequence[str]
+        self,
+        plans: Iterable[Plan],
+        messages: Mapping[str, type[object]],
+        agents: Sequence[str],
+        fixed: Mapping[Place, object] | None = None,
     ) -> None:
+        """What stands at the places in `fixed` is known; if it is given, as few values as possible are
+        tried."""
+        self.fixed: Mapping[Place, object] = {} if fixed is None else fixed
+        self._is_few = fixed is not None
         self._messages = messages
         self._agents = tuple(agents)
         self._parents: dict[Place, Place] = {}
@@ -132,7 +152,7 @@ class Values:
         if whole is not None and whole.is_compared:
             return None
         return {
-            path: _values(item, self._classes.get(self._root((message, path)), _Class()), self._agents).values
+            path: self._tried(item, self._classes.get(self._root((message, path)), _Class())).values
             for path, item in _members(self._messages[message])
             if self.is_read((message, path))
         }
@@ -156,6 +176,13 @@ class Values:
             kinds = dict(_members(self._messages[message]))
             self.tried_for((message, path), kinds[path])
 
+    def is_exact(self, place: Place, value: object) -> bool:
+        """Whether one of what is tried for a place, where these are few, stands for itself alone."""
+        if isinstance(value, bool):
+            return True
+        known = self._classes.get(self._root(place))
+        return known is not None and any((sign, value) in known.signs for sign in ("==", "!="))
+
     def is_read(self, place: Place) -> bool:
         """Whether anything depends on what stands there."""
         known = self._classes.get(self._root(place))
@@ -164,13 +191,17 @@ class Values:
     def tried_for(self, place: Place, kind: object) -> tuple[object, ...]:
         """What is tried for a place that holds values of a type."""
         known = self._classes.get(self._root(place), _Class())
-        found = _values(kind, known, self._agents)
+        found = self._tried(kind, known)
         if not found.is_all:
             name = ".".join((place[0], *place[1]))
             if known.is_computed:
                 self.computed.add(name)
             self.bounds[name] = f"{name} in {', '.join(str(value) for value in found.values)}"
         return found.values
+
+    def _tried(self, kind: object, known: _Class) -> Tried:
+        found = _few(kind, known) if self._is_few else None
+        return _values(kind, known, self._agents) if found is None else found
 
     # ---- what is learned ---------------------------------------------------------------------
 
@@ -198,6 +229,7 @@ class Values:
             kept.is_computed |= gone.is_computed
             kept.is_ordered |= gone.is_ordered
             kept.near |= gone.near
+            kept.signs |= gone.signs
 
 
 @dataclass(frozen=True, slots=True)
@@ -284,7 +316,7 @@ class _Reader:
             for part in parts[1:]:
                 self._computes(part, taken)
         if word in _ORDER and len(parts) == 2:
-            self._compare(parts[0], parts[1], taken, word not in ("==", "!="))
+            self._compare(parts[0], parts[1], taken, word)
             return
         for part in parts:
             self._term(part, taken, word in _PLAIN)
@@ -298,9 +330,17 @@ class _Reader:
                 known = self.values.use(place)
                 known.is_read = known.is_computed = True
 
-    def _compare(self, one: object, other: object, taken: str, is_ordered: bool) -> None:
+    def _compare(self, one: object, other: object, taken: str, word: str) -> None:
         """Values are compared: with a constant, with another value, or with what is computed."""
+        is_ordered = word not in ("==", "!=")
+        for value, against, sign in ((one, other, word), (other, one, _TURNED.get(word, word))):
+            place = self._place(value, taken)
+            match against:
+                case ("const" | "enum", *_, int(end) | float(end)) if place is not None:
+                    self.values.use(place).signs.add((sign, end))
         left, right = self._place(one, taken), self._place(other, taken)
+        if self._compare_known(one, other, taken, word):
+            return
         for place, value, against in ((left, one, other), (right, other, one)):
             is_constant = isinstance(against, tuple) and against[:1] in (("const",), ("enum",))
             self._term(value, taken, is_constant or self._place(against, taken) is not None)
@@ -316,6 +356,30 @@ class _Reader:
                 known.is_compared = True
                 known.is_ordered |= is_ordered
             self.values.join(left, right)
+
+    def _compare_known(self, one: object, other: object, taken: str, word: str) -> bool:
+        """Whether two values are compared of which one is known, or one is the amount of the other."""
+        for value, against in ((one, other), (other, one)):
+            place, known = self._place(value, taken), self._place(against, taken)
+            match value, against:
+                case ("builtin", "abs", inner), ("const", int(constant) | float(constant)):
+                    amount = self._place(inner, taken)
+                    if amount is not None:
+                        self._term(inner, taken)
+                        known_class = self.values.use(amount)
+                        known_class.constants |= {constant, -constant}
+                        known_class.signs |= {(sign, end) for sign in "<>" for end in (constant, -constant)}
+                        return True
+                case _ if place is not None and known is not None and known in self.values.fixed:
+                    held = self.values.fixed[known]
+                    for item in (place, known):
+                        self.values.use(item).constants.add(held)
+                        if isinstance(held, int | float):
+                            self.values.use(item).signs |= {(word, held), ("==", held)}
+                    self._term(value, taken)
+                    self._term(against, taken)
+                    return True
+        return False
 
     def _places(self, term: object, taken: str) -> Iterator[Place]:
         """The places in a term."""
@@ -420,6 +484,25 @@ def _values(kind: object, known: _Class, agents: Sequence[str]) -> Tried:
         there = _values(next(arm for arm in get_args(kind) if arm is not NoneType), known, agents)
         return Tried((None, *there.values), there.is_all)
     return Tried((_default(kind),), is_all=False)
+
+
+def _few(kind: object, known: _Class) -> Tried | None:
+    """One value for each way in which comparisons with constants may go; None where there are others."""
+    if known.is_compared or known.is_computed or known.near or not known.signs:
+        return None
+    ends = sorted({constant for _, constant in known.signs})
+    if isinstance(kind, type) and issubclass(kind, IntEnum):
+        tried: list[float] = list(kind)
+    elif kind in (int, float):
+        between = [] if kind is int else [(one + other) / 2 for one, other in pairwise(ends)]
+        tried = [*ends, *(end + step for end in ends for step in (-1, 1)), *between]
+    else:
+        return None
+    found: dict[tuple[bool, ...], object] = {}
+    for value in tried:
+        ways = tuple(_SIGNS[sign](value, constant) for sign, constant in sorted(known.signs))
+        found.setdefault(ways, value if isinstance(value, IntEnum) else kind(value))
+    return Tried(tuple(found.values()), is_all=True)
 
 
 def _texts(agents: Sequence[str], constants: Sequence[str]) -> dict[str, None]:
