@@ -2,7 +2,7 @@
 
 Each agent is explored alone, with everything that may come to it. Where it is in the places, it has heard
 some message, sent not too long ago. If no two such messages agree with what their sender guarantees, no two
-agents are there at once, whatever crashes or restarts.
+agents are there at once. This is so also if agents crash and restart.
 """
 
 from __future__ import annotations

@@ -72,10 +72,9 @@ def fixed_in(alone: Alone, channels: Iterable[str]) -> dict[tuple[str, Path], ob
 def measured(
     rule: ChannelInfo | None, alone: Alone, moved: int, ages: tuple[int, ...], choices: Choices
 ) -> tuple[int, bool, Sent | None]:
-    """When a message that comes in the move `moved` counts as sent, whether it is the agent's own, and what
-    is to be known of when it was sent, if that is not the moment at which it comes.
+    """When a message that comes in the move `moved` counts as sent, and whether it is the agent's own.
 
-    It is asked whether it has one of the `ages`.
+    The third item says when it was sent, if that is not when it comes. Conditions ask for the `ages`.
     """
     name = "" if rule is None else rule.name
     if name in alone.own and choices.of(("own", name), (False, True), "its own: {}"):

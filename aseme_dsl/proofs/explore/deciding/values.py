@@ -487,7 +487,7 @@ def _values(kind: object, known: _Class, agents: Sequence[str]) -> Tried:
 
 
 def _few(kind: object, known: _Class) -> Tried | None:
-    """One value for each way in which comparisons with constants may go; None where there are others."""
+    """One value for each result of the comparisons with constants. None if there are other comparisons."""
     if known.is_compared or known.is_computed or known.near or not known.signs:
         return None
     ends = sorted({constant for _, constant in known.signs})
