@@ -59,7 +59,7 @@ def begun(zone: Zone, clock: int) -> Zone:
 
 
 def begun_before(zone: Zone, clock: int, least: int, most: int | None) -> Zone:
-    """With a new clock, which shows any time from `least` to `most` (None: any). The others do not bound it."""
+    """With a new clock, which shows any time from `least` to `most` (None: any)."""
     high, low = FREE if most is None else at_most(most), at_most(-least)
     rows = tuple((*row, added(row[0], low)) for row in zone.rows)
     return Zone((*zone.clocks, clock), (*rows, (*(added(high, bound) for bound in zone.rows[0]), AT_MOST_0)))
