@@ -215,7 +215,7 @@ tokens = [
 answers = 0
 for number in range(200):
     for life in lives:
-        envelope = Envelope(number % 5, "", life, channel="team.signal.Tick")
+        envelope = Envelope(number % 5, incarnation=life, channel="team.signal.Tick")
         mark = envelopes.written(envelope, b"", place=number)
         for way in ("ping", "pong", "team/signal/Tick"):
             session.put(f"{root}/to/robot2/robot1/{way}", b"", attachment=mark)
