@@ -29,7 +29,7 @@ class _Options:
     """What is on the command line."""
 
     hosts: tuple[str, ...]
-    target: str | None
+    project: str | None
     output: Path | None
     to: str | None
     everywhere: bool
@@ -45,7 +45,7 @@ class _Options:
         """What is deployed."""
         from aseme_dsl.project.settings.target import project_here
 
-        return self.target or project_here()
+        return self.project or project_here()
 
 
 def _python_version(context: click.Context, parameter: click.Parameter, value: str) -> str:
@@ -74,7 +74,7 @@ def _default_python() -> str:
     epilog="Example: asemec deploy   ·   asemec deploy robot1 --start   ·   asemec deploy --all --rollback",
 )
 @click.argument("hosts", nargs=-1, metavar="[HOST]...")
-@click.option("--project", "target", metavar="TARGET", help="File or project.  [default: the project here]")
+@click.option("--project", metavar="TARGET", help="File or project.  [default: the project here]")
 @folder_option("-o", "--output", text="Directory of the bundle.  [default: deploy in the project]")
 @click.option(
     "--to",

@@ -35,9 +35,9 @@ class Counting(Reference):
         self.entries_of: dict[str, int] = {}
         self.exits_of: dict[str, int] = {}
 
-    def enter(self, label: str, *further: Any) -> None:
+    def enter(self, label: str, *further: Any, **named: Any) -> None:
         self.entries_of[label] = self.entries_of.get(label, 0) + 1
-        super().enter(label, *further)
+        super().enter(label, *further, **named)
 
     def leave(self, label: str) -> None:
         self.exits_of[label] = self.exits_of.get(label, 0) + 1

@@ -108,7 +108,7 @@ USES = {
 """The commands that take a target."""
 OTHERS = {
     *("new", "explain", "lsp", "key", "import", "completion", "match", "diff"),
-    *("why", "whynot", "certificates", "team status", "team switch", "team logs", "team stop"),
+    *("why", "whynot", "certificates", "deploy", "team status", "team switch", "team logs", "team stop"),
 }
 """Those that take none, or two, or others before it: `team status` and its like are about what runs from an
 output folder (-o)."""

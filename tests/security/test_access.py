@@ -23,6 +23,7 @@ from aseme_dsl.runtime.transport import envelope as envelopes
 from aseme_dsl.runtime.transport.access import OPERATOR
 from aseme_dsl.runtime.transport.envelope import Envelope
 from aseme_dsl.runtime.transport.link import Answer, Stamp
+from tests.security.lines import line
 from tests.support.network import own_name
 from tests.support.waiting import LONG, wait_until
 
@@ -237,6 +238,8 @@ CASES = [
 ]
 
 
+@line("a machine with an expired certificate, or one of another authority", "reach the team")
+@line("a robot with a certificate", "take the session of another robot")
 @pytest.mark.parametrize(("how", "mode"), CASES)
 def test_nothing_is_possible_with_a_certificate_for_another_name(
     robots: Robots, certificates: Path, how: str, mode: str
@@ -275,8 +278,8 @@ def test_nothing_is_possible_with_a_certificate_for_another_name(
     over.set()
     worker.join()
     assert attacker.returncode == 0
-    (line,) = [line for line in lines if line.startswith("= ")]
-    found = json.loads(line[2:])
+    (said,) = [text for text in lines if text.startswith("= ")]
+    found = json.loads(said[2:])
     for name, ears in robots.ears.items():
         other = "ann" if name == "bob" else "bob"
         assert ears.news == [f"{other} {LIFE[other]:x} appeared"]  # no token for another name

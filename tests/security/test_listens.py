@@ -19,6 +19,7 @@ import psutil
 import pytest
 
 from aseme_dsl.editor.viewer import LOOPBACK, Viewer, page_state
+from aseme_dsl.project.settings import deployment
 from aseme_dsl.runtime.control import connections
 from aseme_dsl.runtime.control.connections import MOST
 from aseme_dsl.runtime.control.control_socket import endpoints
@@ -145,6 +146,17 @@ def opened_with(certificates: Path, port: int, interface: str | None) -> set[tup
 @line("team", "with `hosts`")
 def test_a_robot_with_a_host_listens_there_alone(certificates: Path, port: int) -> None:
     assert opened_with(certificates, port, None) == {("127.0.0.1", port)}
+
+
+@line("team", "with a name as host that this machine does not know as its own")
+def test_a_robot_whose_host_is_another_name_listens_on_all_addresses(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def unknown(*_: object, **__: object) -> object:
+        raise socket.gaierror(socket.EAI_NONAME, "Name or service not known")
+
+    monkeypatch.setattr(socket, "getaddrinfo", unknown)
+    assert deployment._listening("robot1.local:7448") == "0.0.0.0:7448"
 
 
 @line("team", "with `hosts` and `interface`")

@@ -424,6 +424,7 @@ UNNAMED: frozenset[tuple[type, str]] = frozenset(
         (tree.ChartNode, "type"),
         (tree.Scenario, "statements"),  # tokens, taken apart in `_tokens`
         (tree.Property, "tokens"),
+        (tree.Sent, "called"),  # known in its guarantee only
     }
 )
 """Where the tree has names that mean nothing by themselves."""

@@ -43,13 +43,13 @@ def usage() -> Usage:
 
 def memory() -> int | None:
     """Bytes of this process in main memory now; its peak where the system only says that."""
+    if sys.platform == "win32":
+        return None
     try:
         pages = int(Path("/proc/self/statm").read_text("ascii").split()[1])
         return pages * os.sysconf("SC_PAGE_SIZE")
     except (OSError, ValueError, IndexError):
         pass
-    if sys.platform == "win32":
-        return None
     import resource
 
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss

@@ -32,7 +32,7 @@ def made(kind: int, **members: Any) -> Envelope:
 MAIL = some.builds(
     made,
     some.just(envelopes.MAIL),
-    model=NAME,
+    contract=NUMBER,
     incarnation=NUMBER,
     sequence=NUMBER,
     time=MOMENT,
@@ -56,7 +56,7 @@ MAIL = some.builds(
 OTHER = some.builds(
     made,
     some.sampled_from([envelopes.MESSAGE, envelopes.ACKNOWLEDGE, envelopes.PING, envelopes.PONG]),
-    model=NAME,
+    contract=NUMBER,
     incarnation=NUMBER,
     sequence=NUMBER,
     time=MOMENT,
@@ -95,8 +95,8 @@ def test_an_envelope_is_the_same_at_the_other_end(envelope: Envelope, stamp: Sta
 def test_an_agent_message_is_one_for_everybody() -> None:
     envelope = Envelope(
         envelopes.MAIL,
-        "a1b2",
-        7,
+        contract=0xA1B2,
+        incarnation=7,
         sequence=3,
         performative="accept_proposal",
         message="Award",
