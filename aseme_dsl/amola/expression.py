@@ -885,6 +885,8 @@ COMPARE: Mapping[str, Callable[[float, float], bool]] = {
     ">": gt,
     ">=": ge,
 }
+TURNED = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
+"""What an order is called if its sides change places."""
 COMPUTE: Mapping[str, Callable[[float, float], float]] = {
     "+": add,
     "-": sub,

@@ -47,10 +47,14 @@ class Here:
         (self.folder / name).write_text(text, "utf-8")
 
     def start(self, *arguments: str) -> subprocess.Popen[str]:
+        return self.begin("run", *arguments, "--real", "-q")
+
+    def begin(self, *arguments: str, **environment: str) -> subprocess.Popen[str]:
+        """`asemec` in a process of its own."""
         process = subprocess.Popen(
-            [sys.executable, "-m", "aseme_dsl", "run", *arguments, "--real", "-q"],
+            [sys.executable, "-m", "aseme_dsl", *arguments],
             cwd=self.folder,
-            env={**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])},
+            env={**os.environ, "PYTHONPATH": str(Path(__file__).parents[2]), **environment},
             text=True,
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,

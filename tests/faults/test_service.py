@@ -47,16 +47,7 @@ def node(here: Here, *options: str, **environment: str) -> subprocess.Popen[str]
     pytest.importorskip("zenoh")
     if not (here.folder / "out").exists():
         assert here.asemec("build", "one.aseme", "-o", "out")[0] == 0
-    process = subprocess.Popen(
-        [sys.executable, "-m", "aseme_dsl", "node", "ann", "--from", "out", *options],
-        cwd=here.folder,
-        env={**os.environ, "PYTHONPATH": str(Path(__file__).parents[2]), **environment},
-        text=True,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-    )
-    here.running.append(process)
-    return process
+    return here.begin("node", "ann", "--from", "out", *options, **environment)
 
 
 @pytest.fixture

@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 import json
-import os
 import signal
 import subprocess
-import sys
 from collections.abc import Iterator
 from contextlib import suppress
-from pathlib import Path
 from typing import Any
 
 import pytest
@@ -31,16 +28,7 @@ team Pair { ann : talker  bob : hearer }
 
 def node(here: Here, name: str) -> subprocess.Popen[str]:
     """One agent of the pair, in a process of its own."""
-    process = subprocess.Popen(
-        [sys.executable, "-m", "aseme_dsl", "node", name, "--from", "out", "-q"],
-        cwd=here.folder,
-        env={**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])},
-        text=True,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-    )
-    here.running.append(process)
-    return process
+    return here.begin("node", name, "--from", "out", "-q")
 
 
 @pytest.fixture

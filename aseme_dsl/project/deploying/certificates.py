@@ -7,7 +7,6 @@ Where the files are is said in `[tool.asemec.deploy.tls]`. The key of the author
 
 from __future__ import annotations
 
-import contextlib
 import glob
 import ipaddress
 import os
@@ -20,6 +19,7 @@ from typing import TYPE_CHECKING
 from aseme_dsl import outside
 from aseme_dsl.project.settings.deployment import ROBOT, TlsFiles, file_of
 from aseme_dsl.records import dataclass
+from aseme_dsl.runtime.control.operator_key import write_new
 from aseme_dsl.runtime.transport.access import OPERATOR
 
 if TYPE_CHECKING:
@@ -419,16 +419,8 @@ def _write_pair(certificate: Path, key: Path, public: bytes, secret: bytes) -> N
     """Write both files, the key first; neither replaces a file."""
     for path, content, mode in ((key, secret, _SECRET), (certificate, public, _PUBLIC)):
         _make_folder(path.parent)
-        part = path.with_name(f".{path.name}.{secrets.token_hex(4)}.part")
         try:
-            descriptor = os.open(part, os.O_WRONLY | os.O_CREAT | os.O_EXCL, mode)
-            try:
-                with os.fdopen(descriptor, "wb") as file:
-                    file.write(content)
-                os.link(part, path)  # unlike a renaming, it replaces nothing
-            finally:
-                with contextlib.suppress(OSError):
-                    part.unlink()
+            write_new(path, content, mode)
         except FileExistsError as problem:
             raise CertificateError(f"{path} is there already") from problem
         except OSError as problem:

@@ -9,12 +9,10 @@ from typing import TYPE_CHECKING
 from aseme_dsl.project.operating.whole_team import Silent, name_of
 from aseme_dsl.project.playing.operate import Endpoint, ask_each, running_from
 from aseme_dsl.records import dataclass
+from aseme_dsl.runtime.control.recent import MOST_ASKED
 
 if TYPE_CHECKING:
     from aseme_dsl.project.playing.remote import Robot
-
-MOST = 200
-"""So many records of a process are asked for at once."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,11 +37,11 @@ class Lines:
 class Logs:
     """Asks for the recent records again and again, each time for those that are new."""
 
-    def __init__(self, output: Path, robots: Sequence[Robot] | None = None, last: int = MOST) -> None:
+    def __init__(self, output: Path, robots: Sequence[Robot] | None = None, last: int = MOST_ASKED) -> None:
         """Of the records that there are, the `last` of each process."""
         self._output = output
         self._robots = robots
-        self._last = min(max(last, 1), MOST)
+        self._last = min(max(last, 1), MOST_ASKED)
         self._after: dict[str, int] = {}
 
     def new(self, seconds: float = 5.0) -> Lines:
@@ -57,7 +55,7 @@ class Logs:
             endpoint: {
                 "request": "logs",
                 "after": self._after.get(str(endpoint), -self._last),
-                "most": MOST,
+                "most": MOST_ASKED,
             }
             for endpoint in found
         }
@@ -85,4 +83,4 @@ def as_data(line: Line) -> dict[str, object]:
     return {"process": line.process, "number": line.number, "at": line.at, "record": line.record}
 
 
-__all__ = ["MOST", "Line", "Lines", "Logs", "as_data"]
+__all__ = ["Line", "Lines", "Logs", "as_data"]

@@ -7,6 +7,7 @@ from enum import IntEnum
 from random import Random
 from typing import cast
 
+from aseme_dsl.amola.expression import TURNED
 from aseme_dsl.proofs.explore.deciding.choosing import Choices
 from aseme_dsl.proofs.explore.deciding.values import Values
 from aseme_dsl.runtime.chart.plan import Plan, Variable
@@ -191,9 +192,6 @@ def _said(value: object) -> str:
     return str(value.name) if isinstance(value, IntEnum) else str(value)
 
 
-_TURNED = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
-
-
 class _Asked:
     """What conditions compare with: of values that they do not tell apart, one is enough."""
 
@@ -220,7 +218,7 @@ class _Asked:
             case (str() as word, ("age", ("member", _, channel, *_)), ("const", int(age))):
                 self._age(word, str(channel), age)
             case (str() as word, ("const", int(age)), ("age", ("member", _, channel, *_))):
-                self._age(_TURNED.get(word, word), str(channel), age)
+                self._age(TURNED.get(word, word), str(channel), age)
 
     def _age(self, word: str, channel: str, age: int) -> None:
         points = {"<": (0, age), ">=": (0, age), "<=": (age, age + 1), ">": (age, age + 1)}

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import threading
-import time
 from typing import TYPE_CHECKING
 
 from aseme_dsl.runtime.transport import TransportError
@@ -71,9 +70,7 @@ class CatchingUp:
             self._control.hold(epoch, (f"{type(error).__name__}: {error}",))
             over = False
         if not over and self._control.held is not None and self._control.held.is_blocked:
-            until = time.monotonic() + PAUSE
-            while time.monotonic() < until and not self._closed.wait(_TRY):
-                pass
+            self._closed.wait(PAUSE)
             newest = self._newer()
             if newest is not None and newest.is_newer(epoch):
                 self._newest = newest

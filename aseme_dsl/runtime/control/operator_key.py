@@ -94,18 +94,28 @@ def write_key(path: Path) -> Key:
         KeyFileError: there is such a file already, or it cannot be written.
     """
     key = Key(f"k{secrets.token_hex(4)}", secrets.token_bytes(SECRET_BYTES))
-    part = path.with_name(f".{path.name}.{secrets.token_hex(4)}.part")
     try:
-        descriptor = os.open(part, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
-        try:
-            with os.fdopen(descriptor, "w", encoding="ascii") as file:
-                file.write(f'{key.name} = "{key.secret.hex()}"\n')
-            os.link(part, path)  # unlike a renaming, it replaces nothing
-        finally:
-            with contextlib.suppress(OSError):
-                part.unlink()
+        write_new(path, f'{key.name} = "{key.secret.hex()}"\n'.encode("ascii"), 0o600)
     except FileExistsError as problem:
         raise KeyFileError(f"{path} is there already") from problem
     except OSError as problem:
         raise KeyFileError(f"{path} cannot be written: {problem.strerror or problem}") from problem
     return key
+
+
+def write_new(path: Path, content: bytes, mode: int) -> None:
+    """Write a file that is not there yet, whole or not at all, with these permissions.
+
+    Raises:
+        FileExistsError: there is such a file.
+        OSError: it cannot be written.
+    """
+    part = path.with_name(f".{path.name}.{secrets.token_hex(4)}.part")
+    descriptor = os.open(part, os.O_WRONLY | os.O_CREAT | os.O_EXCL, mode)
+    try:
+        with os.fdopen(descriptor, "wb") as file:
+            file.write(content)
+        os.link(part, path)  # unlike a renaming, it replaces nothing
+    finally:
+        with contextlib.suppress(OSError):
+            part.unlink()

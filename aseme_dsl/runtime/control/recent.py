@@ -22,10 +22,11 @@ MOST_CHARACTERS = 200_000
 """and about so many characters."""
 
 KINDS = frozenset(
-    {"fault", "error", "breach", "life", "lost", "refused", "dropped", "unexpected", "unsent"}
-) | {
-    *("overload", "gap", "swap", "select"),
-}
+    (
+        *("fault", "error", "breach", "life", "lost", "refused", "dropped", "unexpected", "unsent"),
+        *("overload", "gap", "swap", "select"),
+    )
+)
 """The kinds of which all records are kept."""
 SOME = {
     "peer": None,
@@ -66,8 +67,7 @@ class Recent:
 
     def __call__(self, record: Record) -> None:
         """Keep a record."""
-        kept = _fitting(dict(record))
-        size = len(json.dumps(kept))
+        kept, size = _fitting(dict(record))
         with self._lock:
             self._number += 1
             self._counts[_kind(record)] += 1
@@ -108,13 +108,14 @@ def _kind(record: Record) -> str:
     return record["kind"] if what is None else f"{record['kind']}.{what}"
 
 
-def _fitting(record: dict[str, object]) -> dict[str, object]:
-    """The record, which is JSON, without what makes it too large."""
+def _fitting(record: dict[str, object]) -> tuple[dict[str, object], int]:
+    """The record, which is JSON, without what makes it too large, and its length as a text."""
     if record["kind"] == "swap":
         record.pop("plan", None)  # of a `select`, it is a name
     record.pop("sources", None)
-    if len(json.dumps(record)) <= LARGEST:
-        return record
+    size = len(json.dumps(record))
+    if size <= LARGEST:
+        return record, size
     short: dict[str, object] = {}
     for name, value in record.items():
         if isinstance(value, str):
@@ -126,7 +127,7 @@ def _fitting(record: dict[str, object]) -> dict[str, object]:
                 short[name] = value
         else:
             short[name] = value
-    return short
+    return short, len(json.dumps(short))
 
 
 __all__ = ["KINDS", "MOST", "MOST_ASKED", "SOME", "Kept", "Recent"]

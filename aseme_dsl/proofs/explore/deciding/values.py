@@ -7,14 +7,14 @@ for a few values only. Every answer names these.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import field
 from enum import IntEnum
 from itertools import count, islice, pairwise, product
-from operator import eq, ge, gt, le, lt, ne
 from types import NoneType, UnionType
 from typing import Union, cast, get_args, get_origin
 
+from aseme_dsl.amola.expression import COMPARE, TURNED
 from aseme_dsl.proofs.explore.deciding.staging import by_lines_of
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.functions import is_of_library
@@ -27,15 +27,6 @@ MOST = 64
 """So many contents of one message are tried at the most."""
 
 _ORDER = ("==", "!=", "<", "<=", ">", ">=")
-_SIGNS: Mapping[str, Callable[[float, float], bool]] = {
-    "==": eq,
-    "!=": ne,
-    "<": lt,
-    "<=": le,
-    ">": gt,
-    ">=": ge,
-}
-_TURNED = {"<": ">", "<=": ">=", ">": "<", ">=": "<="}
 _PLAIN = frozenset(("!", "&&", "||", "has", "holds", "call", "evaluate", "age", "", "send"))
 """What reads no more of a value than whether it is true or there, or hands it to a function."""
 
@@ -333,7 +324,7 @@ class _Reader:
     def _compare(self, one: object, other: object, taken: str, word: str) -> None:
         """Values are compared: with a constant, with another value, or with what is computed."""
         is_ordered = word not in ("==", "!=")
-        for value, against, sign in ((one, other, word), (other, one, _TURNED.get(word, word))):
+        for value, against, sign in ((one, other, word), (other, one, TURNED.get(word, word))):
             place = self._place(value, taken)
             match against:
                 case ("const" | "enum", *_, int(end) | float(end)) if place is not None:
@@ -500,7 +491,7 @@ def _few(kind: object, known: _Class) -> Tried | None:
         return None
     found: dict[tuple[bool, ...], object] = {}
     for value in tried:
-        ways = tuple(_SIGNS[sign](value, constant) for sign, constant in sorted(known.signs))
+        ways = tuple(COMPARE[sign](value, constant) for sign, constant in sorted(known.signs))
         found.setdefault(ways, value if isinstance(value, IntEnum) else kind(value))
     return Tried(tuple(found.values()), is_all=True)
 
