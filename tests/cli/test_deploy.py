@@ -296,6 +296,30 @@ def test_a_file_of_hosts_in_the_project_is_in_the_bundle_and_one_elsewhere_is_no
         assert ("hosts.toml" in contents(archive_in(project / f"to{number}"))) is (number == 0)
 
 
+def test_a_host_receives_its_part_of_the_operator_s_key_only(project: Path) -> None:
+    from aseme_dsl.project.deploying.bundle import private_archive
+    from aseme_dsl.project.settings.configuration import read_configuration
+    from aseme_dsl.runtime.control.operator_key import newest_key
+
+    hosts = '{ ann = "10.0.0.1", bob = "10.0.0.1:7448", cid = "10.0.0.2" }\ncontrol = "keys.toml"'
+    text = PROJECT.replace('{ ann = "127.0.0.1:7601", bob = "10.9.9.9" }', hosts)
+    (project / "pyproject.toml").write_text(text)
+    shutil.copy(project / "certificates/ann.pem", project / "certificates/cid.pem")
+    shutil.copy(project / "certificates/ann.key", project / "certificates/cid.key")
+    assert asemec("key", "keys.toml").code == 0
+    whole = newest_key(project / "keys.toml")
+    configuration, _ = read_configuration(project / "pyproject.toml")
+    for agent, there in (("ann", {"ann", "bob"}), ("bob", {"ann", "bob"}), ("cid", {"cid"})):
+        archive = project / f"{agent}.tar"
+        archive.write_bytes(private_archive(configuration, [agent]))
+        content = contents(archive)["keys.toml"]
+        (project / "part.toml").write_bytes(content)
+        (project / "part.toml").chmod(0o600)
+        part = newest_key(project / "part.toml")
+        assert part.name == whole.name and part.secret == b"" and set(part.robots) == there
+        assert part.of(agent) == whole.of(agent)
+
+
 def test_requirements_that_are_not_met_are_reported(project: Path) -> None:
     (project / "requirements.txt").write_text("click==1.0\nnever-there==2.0 --hash=sha256:00\n")
     assert asemec("deploy", "ann").code == 0

@@ -572,6 +572,7 @@ def test_robots_that_have_not_changed_are_named(monkeypatch: pytest.MonkeyPatch,
 
         def __init__(self, name: str, lost: bool) -> None:
             self.name, self.lost, self.gone, self.done = name, lost, False, False
+            self.system, self.key = "S", Key("k", bytes(32))
 
         def __str__(self) -> str:
             return self.name

@@ -19,8 +19,9 @@ from pathlib import Path, PurePosixPath
 from aseme_dsl import outside
 from aseme_dsl.project.deploying import install
 from aseme_dsl.project.settings.configuration import FILE, Configuration
-from aseme_dsl.project.settings.deployment import ROBOT, file_of
+from aseme_dsl.project.settings.deployment import ROBOT, file_of, host_of, keys_of
 from aseme_dsl.records import dataclass
+from aseme_dsl.runtime.control.operator_key import KeyFileError, keys_for
 
 OUT = "out"
 """Where the output folder of the build is in a bundle."""
@@ -146,11 +147,33 @@ def private_files(configuration: Configuration, agent: str) -> dict[Path, PurePo
 
 
 def private_archive(configuration: Configuration, agents: Iterable[str]) -> bytes:
-    """The certificates and keys of some agents, as a .tar. Raises BundleError."""
-    files: dict[Path, PurePosixPath] = {}
+    """The certificates and keys of some agents, as a .tar.
+
+    Of operators' keys it has what follows from them for the agents of one host.
+
+    Raises:
+        BundleError: a file cannot be read.
+    """
+    contents: dict[str, bytes] = {}
     for agent in agents:
-        files |= private_files(configuration, agent)
-    return _tar({place.as_posix(): _read(path) for path, place in files.items()}, 0o600)
+        keys = keys_of(configuration.deploy, agent)
+        for path, place in private_files(configuration, agent).items():
+            contents[place.as_posix()] = (
+                _keys_for(path, configuration, agent) if path == keys else _read(path)
+            )
+    return _tar(contents, 0o600)
+
+
+def _keys_for(path: Path, configuration: Configuration, agent: str) -> bytes:
+    """The keys of a file for an agent, and for those of its host that have the same file."""
+    assert configuration.deploy is not None
+    hosts = {name: host_of(host) for name, host in configuration.deploy.hosts.items()}
+    place = hosts.get(agent)
+    same = [name for name, host in hosts.items() if host == place]
+    try:
+        return keys_for(path, [x for x in same if keys_of(configuration.deploy, x) == path] or [agent])
+    except KeyFileError as problem:
+        raise BundleError(str(problem)) from problem
 
 
 def _output_files(output: Path) -> Iterator[tuple[PurePosixPath, Path]]:

@@ -10,16 +10,20 @@ from typing import TYPE_CHECKING
 
 from aseme_dsl.project.operating.whole_team import WholeTeam, whole_team
 from aseme_dsl.project.playing.operate import Node, OperateError, Request, ask_each, unknown_agent
+from aseme_dsl.project.playing.remote import Robot
 from aseme_dsl.records import dataclass
+from aseme_dsl.runtime.control.epoch_proof import proven
+from aseme_dsl.runtime.version.epochs import Epoch
 
 if TYPE_CHECKING:
-    from aseme_dsl.project.playing.remote import Robot
     from aseme_dsl.runtime.control.replies import Reply
 
 WITHIN = 10.0
 """How long, in seconds, a swap waits for conversations to end."""
 HOLD = 3.0
 """How long, in seconds, a process waits for the next phase before it decides alone."""
+MOST_CREDIBLE = 1 << 40
+"""No team has changed so many times: who says so is not believed, and refuses the swap."""
 _TRY = 0.3
 _PAUSE = 0.05
 
@@ -86,29 +90,30 @@ def swap(
     nodes = [node for node in team.nodes if set(node.agents) & set(members)]
     if names is None and (len(known & set(members)) < needed or (quorum == "all" and team.silent)):
         raise OperateError(*team.reasons())
-    epoch = None if names is not None else 1 + max(_epoch(node) for node in nodes)
+    epoch = None if names is not None else 1 + max(map(_epoch, nodes), default=0)
     request: Request = {"request": "swap", "hash": name, "agents": names}
-    attempt = _Attempt(nodes, request, epoch, set(members), needed)
+    attempt = _Attempt(nodes, request, epoch, members, needed)
     return attempt.run(team, time.monotonic() + within, within)
 
 
 def _epoch(node: Node) -> int:
-    """The newest epoch that a process knows of."""
+    """The newest epoch that a process knows of; it cannot push the number to where there is none after it."""
     status = node.status
     held = status.get("held")
-    return max(status["epoch"]["number"], held["number"] if held else 0)
+    number = max(status["epoch"]["number"], held["number"] if held else 0)
+    return number if number < MOST_CREDIBLE else 0
 
 
 class _Attempt:
     """One swap by one operator."""
 
     def __init__(
-        self, nodes: list[Node], request: Request, epoch: int | None, members: set[str], needed: int
+        self, nodes: list[Node], request: Request, epoch: int | None, members: Iterable[str], needed: int
     ) -> None:
         self._nodes = nodes
         self._request = request
         self._epoch = epoch
-        self._members = members
+        self._members = frozenset(members)
         self._needed = needed
         self._finished: set[Node] = set()
 
@@ -160,8 +165,11 @@ class _Attempt:
         return held, {} if last else busy, problems, notes
 
     def _finish(self, held: dict[Node, int], unchanged: dict[str, str], notes: tuple[str, ...]) -> Swapped:
-        """Phase 2: commit, and finish. A process that has committed changes."""
-        commits = self._say(held, "commit")
+        """Phase 2: commit, and finish. A process that has committed changes.
+
+        The proof of the epoch goes out now: before, all may still be as it was.
+        """
+        commits = self._say(held, "commit", proofs={node: self._proof(node) for node in held})
         failed = {node: reply["reasons"] for node, reply in commits.items() if not reply["ok"]}
         done = {node: number for node, number in held.items() if node not in failed}
         if self._agents(done) < self._needed:
@@ -205,11 +213,29 @@ class _Attempt:
             return (found["number"], found["hash"]) == (self._epoch, self._request["hash"])
         return node in self._finished
 
-    def _say(self, held: Mapping[Node, int], phase: str, reason: str | None = None) -> dict[Node, Reply]:
+    def _proof(self, node: Node) -> Request:
+        """What proves the epoch to a process, and to those that it tells of it."""
+        robot = node.socket
+        if self._epoch is None or not isinstance(robot, Robot):
+            return {}
+        epoch = Epoch(self._epoch, str(self._request["hash"]), node.status["epoch"]["base"])
+        made = proven(robot.key, robot.system, epoch, self._members, self._needed).proof
+        return {} if made is None else {"proof": made.as_data()}
+
+    def _say(
+        self,
+        held: Mapping[Node, int],
+        phase: str,
+        reason: str | None = None,
+        proofs: Mapping[Node, Request] | None = None,
+    ) -> dict[Node, Reply]:
         said: Request = {"request": "swap", "phase": phase}
         if reason:
             said["reason"] = reason[:1000]
-        replies = ask_each({node.socket: {**said, "id": number} for node, number in held.items()})
+        more = proofs or {}
+        replies = ask_each(
+            {n.socket: {**said, "id": number, **more.get(n, {})} for n, number in held.items()}
+        )
         return {node: replies[node.socket] for node in held}
 
     def _roll_back(self, held: Mapping[Node, int], reason: str) -> list[Node]:

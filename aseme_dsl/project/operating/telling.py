@@ -62,6 +62,8 @@ def _process_lines(status: Reply) -> Iterator[str]:
     if held is not None:
         why = "; ".join(held["reasons"]) or "it waits for the end of conversations"
         yield f"  held         until epoch {held['number']}, version {held['hash'][:12]}: {why}"
+    for name, reason in status["doubted"].items():
+        yield f"  {name:<12} is not followed: {reason}"
     swap = status["swap"]
     if swap is not None:
         yield f"  a swap is under way: {swap['state']}"

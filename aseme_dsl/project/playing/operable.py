@@ -34,23 +34,30 @@ def operable(
     recent: Recent | None = None,
     epochs: EpochFile | None = None,
     epoch: Epoch | None = None,
+    is_apart: bool = False,
 ) -> Iterator[None]:
     """Inside, operators reach the team over a socket, and over its transport if there is a file of `keys`.
 
     `changed` is called with each swap that is done; `recent`, a listener of the team's trace, has its logs.
-    `epochs` keeps the epoch of the agents here, which is `epoch` now.
+    `epochs` keeps the epoch of the agents here, which is `epoch` now. If the others are on other machines
+    (`is_apart`), or there are keys, epochs need a proof.
 
     A run to which no socket can be opened continues without one, with a line in its trace.
     """
     from aseme_dsl.runtime.control.catching_up import CatchingUp
     from aseme_dsl.runtime.control.control import Control
     from aseme_dsl.runtime.control.control_socket import ControlError, listening
+    from aseme_dsl.runtime.control.epoch_proof import Doubt, all_doubt, doubt_of, no_doubt
     from aseme_dsl.runtime.control.operator_gate import Gate
     from aseme_dsl.runtime.version.versions import VERSIONS
 
     agents = team.agents
     name = agents[0].name if len(agents) == 1 else "team"
-    control = Control(team, activities, changed, output_of(loaded) / VERSIONS, recent, epochs, epoch)
+    doubt: Doubt = all_doubt if is_apart else no_doubt
+    if keys is not None:
+        doubt = doubt_of(keys, loaded.name, name)
+    store = output_of(loaded) / VERSIONS
+    control = Control(team, activities, changed, store, recent, epochs, epoch, doubt)
     if keys is None:
         team.transport.answer(control.not_over_the_bus)
     else:

@@ -525,6 +525,7 @@ def _play_robot(
                     recent,
                     epoch_file(loaded, robot),
                     request.epoch,
+                    deployment is not None and deployment.tls is not None,
                 ),
                 request.serve(team, recent),
             ):

@@ -28,8 +28,8 @@ class Robot:
     """A robot, as far as an operator is concerned."""
 
     name: str
-    _system: str
-    _key: Key
+    system: str
+    key: Key
     _link: ZenohLink
 
     def __str__(self) -> str:
@@ -51,7 +51,7 @@ class Robot:
                 time.sleep(_PAUSE)
 
         try:
-            return ask(send, self._system, self.name, self._key, request)
+            return ask(send, self.system, self.name, self.key, request)
         except (GateError, TransportError) as problem:
             raise RemoteError(str(problem)) from problem
 

@@ -58,7 +58,9 @@ class CatchingUp:
                 epoch = epoch_of(self._team.transport.ask_epoch(name, ANSWER))
             except TransportError:
                 continue
-            if epoch is not None and epoch.is_newer(found or self._control.epoch):
+            if epoch is None or not epoch.is_newer(self._control.epoch):
+                self._control.doubted.pop(name, None)
+            elif self._control.accepts(epoch, name) and epoch.is_newer(found or self._control.epoch):
                 found = epoch
         return found
 

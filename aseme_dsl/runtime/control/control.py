@@ -18,8 +18,8 @@ either what was asked for or `reasons`. How they travel is not known here.
   `hold` s at the most. The state is "prepared", with an `id`; or "busy".
   A swap of the whole team has the number of its `epoch`, which is larger than any before.
 - `{… "phase": "commit", "id": 3}`
-  The epoch is kept across a restart from now on. The swap will be done: if no further
-  request arrives, when `hold` is over.
+  A swap of the whole team over its network has the `proof` of its epoch. The epoch is kept across a restart
+  from now on. The swap will be done: if no further request arrives, when `hold` is over.
 - `{… "phase": "finish", "id": 3}`
   The swap is done.
 - `{… "phase": "rollback", "id": 3, "reason": "…"}`
@@ -36,6 +36,7 @@ from __future__ import annotations
 import itertools
 import threading
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, TypeGuard
@@ -43,12 +44,13 @@ from typing import TYPE_CHECKING, TypeGuard
 from aseme_dsl.outside import loads
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.control.control_log import PROGRAM, ControlLog, Origin
+from aseme_dsl.runtime.control.epoch_proof import Doubt, no_doubt
 from aseme_dsl.runtime.control.holding import Held, Keep, NotHeld
 from aseme_dsl.runtime.control.recent import MOST_ASKED, Recent
 from aseme_dsl.runtime.control.replies import HeldSwap, Reply
 from aseme_dsl.runtime.control.status import status_of
 from aseme_dsl.runtime.team.swap import Swap, Version, version_of
-from aseme_dsl.runtime.version.epochs import Epoch, EpochFile
+from aseme_dsl.runtime.version.epochs import Epoch, EpochFile, proof_of
 from aseme_dsl.runtime.version.loading import LoadError, activities_of, load_beside, package_like
 from aseme_dsl.runtime.version.versions import HASH, VersionError, read_version
 
@@ -107,10 +109,11 @@ class Control:
         recent: Recent | None = None,
         epochs: EpochFile | None = None,
         epoch: Epoch | None = None,
+        doubt: Doubt = no_doubt,
     ) -> None:
         """`activities` is the folder of the team's activities; `store` the folder of the versions to which it
         may be changed; `recent` what listens to its trace, for `logs`.
-        `epochs` keeps its epoch, which is `epoch` at first.
+        `epochs` keeps its epoch, which is `epoch` at first; `doubt` says why another one is not followed.
 
         `changed` is called with each swap that is done.
         """
@@ -125,6 +128,11 @@ class Control:
         self._store = store
         self._recent = recent
         self._epochs = epochs
+        self._doubt = doubt
+        self._coming: Epoch | None = None
+        """The epoch of the swap that is under way."""
+        self.doubted: dict[str, str] = {}
+        """Why the epochs of agents elsewhere are not followed."""
         self.epoch = epoch or Epoch()
         """The epoch that the agents here follow."""
         self.held: Missed | None = None
@@ -192,6 +200,7 @@ class Control:
         reply = status_of(self._team, self._activities, self._recent, going)
         missed = self.held
         reply["epoch"] = {"number": self.epoch.number, "hash": self.epoch.hash, "base": self.epoch.base}
+        reply["doubted"] = dict(self.doubted)
         reply["held"] = (
             None
             if missed is None
@@ -256,6 +265,10 @@ class Control:
                 held = self._held
                 if held is None or not held.is_alive() or held.number != request.get("id"):
                     raise Refused(f"the swap {request.get('id')} is not held here any more")
+                if phase == "commit" and self._coming is not None:
+                    self._coming = replace(self._coming, proof=proof_of(request.get("proof")))
+                    if doubt := self._doubt(self._coming):
+                        raise Refused(doubt)
                 try:
                     return held.say(str(phase), str(request.get("reason", "the operator said so")))
                 except NotHeld as problem:
@@ -309,11 +322,8 @@ class Control:
         swap = self._checked(request)
         within, hold = _seconds(request, "within", 0.0), _seconds(request, "hold", HOLD)
         what = Changed(str(request["hash"]), whole)
-        keep = Keep(
-            (lambda: None) if epoch is None else partial(self._keep, epoch),
-            partial(self._keep, self.epoch),
-            partial(self._finished, what, epoch),
-        )
+        self._coming = epoch
+        keep = Keep(self._keep_coming, partial(self._keep, self.epoch), partial(self._finished, what))
         self._held = held = Held(swap, next(self._numbers), within, hold, keep)
         held.start()
         held.prepared.wait()
@@ -333,7 +343,22 @@ class Control:
         if self._epochs is not None:
             self._epochs.write(epoch)
 
-    def _finished(self, what: Changed, epoch: Epoch | None) -> None:
+    def _keep_coming(self) -> None:
+        if self._coming is not None:
+            self._keep(self._coming)
+
+    def accepts(self, epoch: Epoch, name: str) -> bool:
+        """Whether an epoch of an agent elsewhere may be followed here; why not is recorded, once."""
+        doubt = self._doubt(epoch)
+        if doubt and self.doubted.get(name) != doubt:
+            self.log.note(Origin("bus"), "epoch", (f"{name} says: {doubt}",))
+        self.doubted.pop(name, None)
+        if doubt:
+            self.doubted[name] = doubt
+        return not doubt
+
+    def _finished(self, what: Changed) -> None:
+        epoch = self._coming
         if epoch is not None:
             self.epoch = epoch
             if self.held is not None and not self.held.epoch.is_newer(epoch):
@@ -431,6 +456,7 @@ _MEMBERS: dict[str, tuple[Callable[[object], bool], str]] = {
     "hold": (_is_number, "a number"),
     "id": (_is_number, "a number"),
     "epoch": (_is_number, "a number"),
+    "proof": (lambda value: proof_of(value) is not None, "a proof"),
     "after": (_is_number, "a number"),
     "most": (_is_number, "a number"),
 }

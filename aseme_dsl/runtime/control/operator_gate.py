@@ -9,11 +9,12 @@ The operator asks a robot for a challenge, and uses it for one request:
   `own` is a nonce of the operator, `request` a request as `control` knows it, as a text. The reply has the
   answer, as a text, and its proof.
 
-A proof is the HMAC-SHA256, under the key, of all that it is about: system, agent, incarnation and both
-nonces, the request, and for the answer that, too. So what is sent to one agent, in one incarnation, once, is
-good for nothing else, and the operator knows that the agent has answered. No clock is asked. A nonce is
-consumed by the first proven request that names it. The robot knows its own nonces by a tag in them and keeps
-none that is not consumed: no client can push an operator's challenge out by asking for many.
+A proof is the HMAC-SHA256, under what follows from the key for this agent (`Key.of`), of all that it is
+about: system, agent, incarnation and both nonces, the request, and for the answer that, too. So what is sent
+to one agent, in one incarnation, once, is good for nothing else, and the operator knows that the agent has
+answered. No clock is asked. A nonce is consumed by the first proven request that names it. The robot knows
+its own nonces by a tag in them and keeps none that is not consumed: no client can push an operator's
+challenge out by asking for many.
 """
 
 from __future__ import annotations
@@ -29,7 +30,7 @@ from pathlib import Path
 from aseme_dsl.outside import loads
 from aseme_dsl.runtime.control.control import FORMAT, LARGEST, Control
 from aseme_dsl.runtime.control.control_log import Origin
-from aseme_dsl.runtime.control.operator_key import SECRET_BYTES, Key, KeyFileError, read_keys
+from aseme_dsl.runtime.control.operator_key import SECRET_BYTES, Key, KeyFileError, proof, read_keys
 from aseme_dsl.runtime.control.replies import Reply, as_reply
 
 _TAG = 16
@@ -112,11 +113,12 @@ class Gate:
             return self._control.refuse(origin, None, closed)
         try:
             key = read_keys(self._keys).get(said["key"])
+            secret = None if key is None else key.of(agent)
         except KeyFileError as problem:  # who asks need not know more
             refusal = self._control.refuse(origin, None, str(problem))
             return {**refusal, "reasons": ["the robot's file of keys cannot be used: its trace says why"]}
-        right = _proof("request", self._nobody if key is None else key.secret, about, request)
-        if not hmac.compare_digest(right, said["proof"]) or key is None:
+        right = proof("request", self._nobody if secret is None else secret, about, request)
+        if not hmac.compare_digest(right, said["proof"]) or key is None or secret is None:
             return self._control.refuse(origin, None, "no key of this robot proves the request")
         with self._lock:  # of several at once, one
             is_first = said["nonce"] not in self._spent
@@ -129,15 +131,8 @@ class Gate:
             "version": FORMAT,
             "ok": True,
             "answer": answer,
-            "proof": _proof("answer", key.secret, about, request, answer.encode()),
+            "proof": proof("answer", secret, about, request, answer.encode()),
         }
-
-
-def _proof(what: str, key: bytes, about: Iterable[str], *contents: bytes) -> str:
-    """Of all parts with their lengths: none can pass for a part of another."""
-    parts = [f"asemec control {what} 1".encode(), *(part.encode() for part in about), *contents]
-    whole = b"".join(len(part).to_bytes(8, "big") + part for part in parts)
-    return hmac.digest(key, whole, "sha256").hex()
 
 
 def ask(
@@ -152,6 +147,9 @@ def ask(
     """
     question = json.dumps({"version": FORMAT, "control": "challenge"}).encode()
     refusals: list[str] = []
+    secret = key.of(agent)
+    if secret is None:
+        raise GateError(f"the key {key.name} is not for {agent}, but for {', '.join(key.robots)}")
     text = json.dumps({"version": FORMAT, **request})
     for challenge in _objects(send(question)):
         life, nonce = challenge.get("life"), challenge.get("nonce")
@@ -168,13 +166,13 @@ def ask(
             "own": own,
             "key": key.name,
             "request": text,
-            "proof": _proof("request", key.secret, about, text.encode()),
+            "proof": proof("request", secret, about, text.encode()),
         }
         for found in _objects(send(json.dumps(asked).encode())):
-            answer, proof = found.get("answer"), found.get("proof")
-            if isinstance(answer, str) and isinstance(proof, str) and _PROOF.fullmatch(proof):
-                right = _proof("answer", key.secret, about, text.encode(), answer.encode())
-                if hmac.compare_digest(right, proof):
+            answer, given = found.get("answer"), found.get("proof")
+            if isinstance(answer, str) and isinstance(given, str) and _PROOF.fullmatch(given):
+                right = proof("answer", secret, about, text.encode(), answer.encode())
+                if hmac.compare_digest(right, given):
                     reply = loads(answer, _ANSWER)
                     assert isinstance(reply, dict)  # a robot of the key has said it
                     return as_reply(reply)

@@ -111,6 +111,7 @@ class Reply(TypedDict, total=False):
     trace_error: str | None
     swap: HeldSwap | None
     epoch: EpochStatus
+    doubted: dict[str, str]
     held: MissedEpoch | None
     # logs
     records: list[LogRecord]

@@ -314,7 +314,7 @@ class Post(Transport):
         life = None if other is None else other.life
         for _, payload in self.state.link.ask(name, "history", b'{"epoch": true}', timeout, life):
             with contextlib.suppress(ValueError):
-                answer = outside.loads(payload, 1 << 12)
+                answer = outside.loads(payload, 1 << 16)
                 return answer.get("epoch") if isinstance(answer, dict) else None
         raise TransportError(f"{name} does not answer")
 

@@ -3,26 +3,45 @@
 An epoch is a number and the hash of its version. Of two epochs the newer one has the larger number. Two of
 one number, which two operators can make at the two sides of a partition, are ordered by hash. So all agents
 that hear of both agree.
+
+An operator who reaches the team over its network proves an epoch to each member, even to those that do not
+answer: the members pass the proofs on with the epoch.
 """
 
 from __future__ import annotations
 
 import json
 import os
+import re
+from collections.abc import Mapping
+from dataclasses import field
 from pathlib import Path
 
 from aseme_dsl import outside
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.version.versions import HASH
 
-LARGEST = 4096
-"""A file of an epoch has at most so many bytes."""
+LARGEST = 1 << 16
+"""A file of an epoch, and what an agent says of it, has at most so many bytes."""
 MOST = 1 << 53
 """Numbers of epochs are smaller."""
 
 
 class EpochError(Exception):
     """A file of an epoch cannot be used; the text says why."""
+
+
+@dataclass(frozen=True, slots=True)
+class Proof:
+    """That an operator has made an epoch: by which key, for how many members at least, and to whom."""
+
+    key: str
+    quorum: int
+    members: Mapping[str, str]
+
+    def as_data(self) -> dict[str, object]:
+        """The proof as JSON."""
+        return {"key": self.key, "quorum": self.quorum, "members": dict(self.members)}
 
 
 @dataclass(frozen=True, slots=True, order=True)
@@ -32,6 +51,7 @@ class Epoch:
     number: int = 0
     hash: str = ""
     base: str = ""
+    proof: Proof | None = field(default=None, compare=False)
 
     def is_newer(self, other: Epoch) -> bool:
         """Whether a team that has followed the other one follows this one; epochs of two builds are not."""
@@ -39,7 +59,8 @@ class Epoch:
 
     def as_data(self) -> dict[str, object]:
         """The epoch as JSON."""
-        return {"number": self.number, "hash": self.hash, "base": self.base}
+        proof = None if self.proof is None else self.proof.as_data()
+        return {"number": self.number, "hash": self.hash, "base": self.base, "proof": proof}
 
 
 def epoch_of(data: object) -> Epoch | None:
@@ -53,7 +74,26 @@ def epoch_of(data: object) -> Epoch | None:
         return None
     if not (HASH.fullmatch(name) if number else name == ""):
         return None
-    return Epoch(number, name, base)
+    return Epoch(number, name, base, proof_of(data.get("proof")))
+
+
+def proof_of(data: object) -> Proof | None:
+    """The proof that `as_data` gave, possibly elsewhere; None if it is none."""
+    if not isinstance(data, dict):
+        return None
+    key, quorum, members = data.get("key"), data.get("quorum"), data.get("members")
+    if not isinstance(key, str) or not isinstance(members, dict) or not all(map(_is_mac, members.values())):
+        return None
+    if isinstance(quorum, bool) or not isinstance(quorum, int) or not 0 < quorum <= len(members):
+        return None
+    return Proof(key, quorum, members)
+
+
+def _is_mac(value: object) -> bool:
+    return isinstance(value, str) and _MAC.fullmatch(value) is not None
+
+
+_MAC = re.compile("[0-9a-f]{64}")
 
 
 class EpochFile:
@@ -94,4 +134,4 @@ class EpochFile:
         self.path.unlink(missing_ok=True)
 
 
-__all__ = ["Epoch", "EpochError", "EpochFile", "epoch_of"]
+__all__ = ["Epoch", "EpochError", "EpochFile", "Proof", "epoch_of", "proof_of"]
