@@ -13,10 +13,9 @@ from aseme_dsl.diagnostics.problems.writing import KeyNotWritten
 
 @click.command(
     short_help="Create an operator's key.",
-    help="Create an operator's key and write it to FILE, which only you can read. To let operators control"
-    " agents over the network, give each agent a file made with --of and --for, and name it as `control` in"
-    " [tool.asemec.deploy] of the pyproject.toml; `asemec deploy` does that. An existing file is never"
-    " overwritten.",
+    help="Create an operator's key and write it to FILE, which only you can read. To be controlled over the"
+    " network, each agent needs a file made with --of and --for; `asemec deploy` makes it. Name the file as"
+    " `control` in [tool.asemec.deploy] of the pyproject.toml. An existing file is never overwritten.",
     epilog="Example: asemec key operator.toml   ·   asemec key robot1.toml --of operator.toml --for robot1",
 )
 @click.argument("file", type=FilePath(path_type=Path))

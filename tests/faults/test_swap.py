@@ -256,6 +256,29 @@ class TestConversations:
         assert {line["time"] for line in swaps(records)} == {130 * MS}
         assert not [r for r in records if r["kind"] == "unexpected"]
 
+    @pytest.mark.parametrize("which", [None, ["aide"], ["chief"]])
+    def test_messages_that_change_compatibly_are_no_obstacle(self, which: list[str] | None) -> None:
+        """(Two builds in one team: the same contracts judge)"""
+        new = NET.replace("message Task { int n }", "message Task { int n  optional int by }")
+        swap, records = self.change(new, 130 * MS, agents=which)
+        assert swap.state == "done" and swap.notes == ()
+        assert {line["time"] for line in swaps(records)} == {130 * MS}
+        assert not [r for r in records if r["kind"] in ("unexpected", "fault")]
+        heard = [r["time"] // MS for r in records if r.get("performative") == "inform"]
+        assert {160, 330, 1860} <= set(heard)
+
+    def test_messages_that_the_others_do_not_read_are_named(self) -> None:
+        new = NET.replace("message Task { int n }", "message Task { int n  int by }")
+        swap, records = self.change(new, 130 * MS, within=20 * MS)
+        assert swap.state == "refused"
+        assert swap.reasons[0] == (
+            "chief is still asker in the conversation deal-chief-1 of deal, which the new model plays "
+            "differently: Task: `by` is not sent, and is not optional here; after 0.02 s"
+        )
+        _, records = self.change(new, 50 * MS, agents=["aide"])
+        reasons = {r["reason"] for r in records if r["kind"] == "unexpected" and r["agent"] == "aide"}
+        assert reasons == {"chief plays another version of deal"}
+
     def test_where_the_active_state_is_gone_it_waits_until_that_is_left(self) -> None:
         swap, records = self.change(NET.replace("Think", "Ponder"), 130 * MS)
         assert swap.state == "done"
@@ -281,10 +304,10 @@ class TestConversations:
         swap, records = self.change(NODDING, 130 * MS, within=20 * MS)
         assert swap.state == "refused"
         assert swap.reasons == (
-            "chief is still asker in the conversation deal-chief-1, which the new model plays differently, "
-            "after 0.02 s",
-            "aide is still teller in the conversation deal-chief-1, which the new model plays differently, "
-            "after 0.02 s",
+            "chief is still asker in the conversation deal-chief-1 of deal, which the new model plays "
+            "differently: its participants say something else, or in another order; after 0.02 s",
+            "aide is still teller in the conversation deal-chief-1 of deal, which the new model plays "
+            "differently: its participants say something else, or in another order; after 0.02 s",
         )
         assert [line["time"] for line in swaps(records)] == [150 * MS]
 
@@ -317,6 +340,19 @@ class TestConversations:
 
 
 class TestMessages:
+    def test_channels_that_one_version_does_not_read_are_noted(self) -> None:
+        handles: list[Any] = []
+        for text in ("double x  bool near  optional int far", "double x  bool near  int far"):
+            new = version(ONE.replace("double x  bool near", text))
+            played(ONE, lambda team, new=new: handles.append(team.swap(new, at=50 * MS)), until=100 * MS)
+        assert [handle.state for handle in handles] == ["done", "done"]
+        assert handles[0].notes == ()
+        why = "of the version before: `far` is not sent, and is not optional here"
+        assert handles[1].notes == (
+            f"the new version does not read vision.state.Ball {why}",
+            f"the new version does not read vision.data.Ball {why}",
+        )
+
     def test_blackboards_are_carried_by_member(self) -> None:
         seen: list[Any] = []
 

@@ -348,7 +348,7 @@ class Control:
             self._keep(self._coming)
 
     def accepts(self, epoch: Epoch, name: str) -> bool:
-        """Whether an epoch of an agent elsewhere may be followed here; why not is recorded, once."""
+        """Whether an epoch of an agent elsewhere may be followed here. Why not is recorded once."""
         doubt = self._doubt(epoch)
         if doubt and self.doubted.get(name) != doubt:
             self.log.note(Origin("bus"), "epoch", (f"{name} says: {doubt}",))

@@ -1,7 +1,7 @@
 """Proofs of epochs: an operator's key proves to each member that an operator has made an epoch.
 
-Members tell each other of epochs. The proof for a member is made with what follows from the key for that
-member (`Key.of`), so a member that has only its own part of a key cannot invent an epoch for another one.
+Members tell each other of epochs. The proof for a member is made with its own part of the key (`Key.of`). So
+a member that has no more than its own part cannot invent an epoch for another one.
 """
 
 from __future__ import annotations

@@ -9,8 +9,8 @@ The operator asks a robot for a challenge, and uses it for one request:
   `own` is a nonce of the operator, `request` a request as `control` knows it, as a text. The reply has the
   answer, as a text, and its proof.
 
-A proof is the HMAC-SHA256, under what follows from the key for this agent (`Key.of`), of all that it is
-about: system, agent, incarnation and both nonces, the request, and for the answer that, too. So what is sent
+A proof is the HMAC-SHA256 of all that it is about: system, agent, incarnation and both nonces, the request,
+and for the answer that, too. Its key is what follows from the operator's for this agent. So what is sent
 to one agent, in one incarnation, once, is good for nothing else, and the operator knows that the agent has
 answered. No clock is asked. A nonce is consumed by the first proven request that names it. The robot knows
 its own nonces by a tag in them and keeps none that is not consumed: no client can push an operator's

@@ -384,6 +384,11 @@ class Conversations:
                 )
             return found
 
+    def play_alike(self, pairs: Iterable[tuple[str, str]]) -> None:
+        """From now on, agents that play these versions of a protocol can converse."""
+        with self._lock:
+            self._members.alike.update(map(frozenset, pairs))
+
     def hold(self, reason: str) -> None:
         """From now on the agents here begin no conversation and join none, for a reason; empty: they may.
 

@@ -22,7 +22,8 @@ from aseme_dsl.runtime.agent.behaviours import agent_class
 from aseme_dsl.runtime.agent.state_transfer import CannotCarry, Carried, carry, same_states
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.functions import function_errors
-from aseme_dsl.runtime.chart.plan import Plan
+from aseme_dsl.runtime.chart.plan import BranchInfo, Plan
+from aseme_dsl.runtime.message.contract import Contract, contract_of, reading
 from aseme_dsl.runtime.message.convert import Messages
 from aseme_dsl.runtime.message.wire import Schema
 from aseme_dsl.runtime.time.clock import SECOND, shown
@@ -134,6 +135,8 @@ class Swap:
         self._held = ExitStack()
         self._carried: list[tuple[Agent, Carried]] = []
         self._same: dict[str, dict[str, str]] = {}
+        self._differ: Mapping[str, str] | None = None
+        """Why protocols cannot be played with the version before; None: only their hashes are known."""
 
     # ---- preparing ---------------------------------------------------------------------------
 
@@ -170,12 +173,44 @@ class Swap:
             return False
         self._same = {agent.role: same_states(agent.plan, charts[agent.role].PLAN) for agent in self.agents}
         roles = dict(version.team)
-        self.notes = tuple(
-            f"{agent.name} is {roles[agent.name]} in the new team; it continues as {agent.role}"
-            for agent in self.agents
-            if roles.get(agent.name, agent.role) != agent.role
+        self.notes = (
+            *(
+                f"{agent.name} is {roles[agent.name]} in the new team; it continues as {agent.role}"
+                for agent in self.agents
+                if roles.get(agent.name, agent.role) != agent.role
+            ),
+            *self._compare(),
         )
         return True
+
+    def _compare(self) -> Iterable[str]:
+        """Compare what the two versions say to others, and give what agents of one do not read of the other.
+
+        It is judged as between robots of two builds.
+        """
+        before, after = _contract(self.team.version), _contract(self.version)
+        if before is None or after is None:
+            return
+        here, there = reading(after, before), reading(before, after)
+        self._differ = here.protocols
+        for name, reason in here.channels.items():
+            if name in after.channels:  # else there is nothing to be read
+                yield f"the new version does not read {name} of the version before: {reason}"
+        for name, reason in there.channels.items():
+            if name in before.channels:
+                yield f"the version before does not read {name} of the new one: {reason}"
+
+    def _obstacle(self, info: BranchInfo) -> str:
+        """Why a protocol that an agent plays now cannot be played with the new version; empty if it can."""
+        branches = [b for chart in self.version.charts.values() for b in chart.PLAN.branches]
+        known = {(b.protocol, b.participant): b.version for b in branches}
+        if known.get((info.protocol, info.participant)) == info.version:
+            return ""
+        if self._differ is None:
+            return "its hash differs"
+        if info.protocol not in {protocol for protocol, _ in known}:
+            return "there is no such protocol"
+        return self._differ.get(info.protocol, "")
 
     def hold(self) -> bool:
         """Hold the agents where they are, if they can change there; the state says what came of it."""
@@ -212,7 +247,7 @@ class Swap:
     def _conversations(self) -> Iterable[str]:
         for agent in self.agents:
             branches = self.version.charts[agent.role].PLAN.branches
-            known = {(b.protocol, b.participant): b.version for b in branches}
+            parts = {(b.protocol, b.participant) for b in branches}
             kept = self._same[agent.role]
             for info, conversation in self.team.conversations.inside(agent):
                 is_kept = all(
@@ -220,10 +255,15 @@ class Swap:
                     for label in agent.chart.configuration()
                     if f"{label}.".startswith(f"{info.label}.")
                 )
-                if not is_kept or known.get((info.protocol, info.participant)) != info.version:
+                obstacle = self._obstacle(info)
+                if (info.protocol, info.participant) not in parts:
+                    obstacle = obstacle or f"{agent.role} does not play {info.participant}"
+                elif not is_kept:
+                    obstacle = obstacle or "an active state is not in it"
+                if obstacle:
                     yield (
-                        f"{agent.name} is still {info.participant} in the conversation {conversation}, which "
-                        "the new model plays differently,"
+                        f"{agent.name} is still {info.participant} in the conversation {conversation} of "
+                        f"{info.protocol}, which the new model plays differently: {obstacle};"
                     )
 
     # ---- ending ------------------------------------------------------------------------------
@@ -249,6 +289,7 @@ class Swap:
         try:
             lines = [(agent, agent.plan, carried) for agent, carried in self._carried]
             team.bind_message_types()
+            team.conversations.play_alike(self._alike())
             for agent, carried in self._carried:
                 model = carried.chart.PLAN.model
                 agent.go_on(carried, version.find, version.messages, changed=model != agent.plan.model)
@@ -262,6 +303,14 @@ class Swap:
             self._held.close()
         self.state = "done"
         self.reasons = ()
+
+    def _alike(self) -> Iterable[tuple[str, str]]:
+        """The versions, before and now, of protocols whose messages have changed compatibly."""
+        now = {b.protocol: b.version for chart in self.version.charts.values() for b in chart.PLAN.branches}
+        for chart in self.team.version.charts.values():
+            for info in chart.PLAN.branches:
+                if now.get(info.protocol, info.version) != info.version and not self._obstacle(info):
+                    yield info.version, now[info.protocol]
 
     # ---- the trace ---------------------------------------------------------------------------
 
@@ -293,6 +342,13 @@ class Swap:
             plan=plan_record(plan) if plan.model != before.model else None,
             sources=sources,
         )
+
+
+def _contract(version: Version) -> Contract | None:
+    """What a version says of its messages and protocols; None where it has no schema."""
+    if version.schema is None:
+        return None
+    return contract_of(version.schema, (chart.PLAN for chart in version.charts.values()), version.model)
 
 
 class WaitingSwaps:

@@ -4,8 +4,8 @@ An epoch is a number and the hash of its version. Of two epochs the newer one ha
 one number, which two operators can make at the two sides of a partition, are ordered by hash. So all agents
 that hear of both agree.
 
-An operator who reaches the team over its network proves an epoch to each member, even to those that do not
-answer: the members pass the proofs on with the epoch.
+An operator who reaches the team over its network proves an epoch to each member. The members pass the proofs
+on with the epoch, so that those that did not answer believe it, too.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ class EpochError(Exception):
 
 @dataclass(frozen=True, slots=True)
 class Proof:
-    """That an operator has made an epoch: by which key, for how many members at least, and to whom."""
+    """Proves an epoch to members: by which key, how many of them have to change, and the proof for each."""
 
     key: str
     quorum: int

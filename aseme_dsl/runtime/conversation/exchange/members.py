@@ -31,6 +31,8 @@ class Members:
     """Who has left the conversations that are forgotten here but may continue elsewhere, the newest last."""
     held: str = ""
     """Why the agents here begin no conversation now, nor take part in a further one; empty if they may."""
+    alike: set[frozenset[str]] = field(default_factory=set)
+    """Pairs of versions of protocols that agents can play with each other although their messages differ."""
     opened: dict[tuple[str, str], int] = field(default_factory=dict)
     """How many conversations of a protocol an agent has opened."""
     _playing: dict[Part, list[str]] | None = None
@@ -48,6 +50,10 @@ class Members:
         self._playing = None
         for name, plan in plans.items():
             self.directory.follows(name, plan)
+
+    def plays_alike(self, mine: str, theirs: str) -> bool:
+        """Whether agents that play these versions of a protocol can take part in one conversation."""
+        return mine == theirs or frozenset((mine, theirs)) in self.alike
 
     def known(self, name: str, protocol: str) -> Conversation:
         """The conversation with this name, which may be new here."""

@@ -130,7 +130,7 @@ class Delivery:
             for info in agent.plan.branches
             if (info.protocol, info.participant) == (acl.protocol, acl.to)
         ]
-        if played and played[0].version != acl.version:
+        if played and not self._members.plays_alike(played[0].version, acl.version):
             reason = f"{acl.sender} plays another version of {acl.protocol}"
             self._turn_away_incompatible(agent, acl, conversation, reason)
             return
