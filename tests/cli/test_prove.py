@@ -291,12 +291,27 @@ def test_values_between_constants_are_tried_and_those_in_functions_are_not_all(p
     assert verdicts(prove(FAR, "never jumps", "--json")) == {"never jumps": "REFUTED"}
 
 
-def test_a_protocol_whose_participant_is_given_something_is_not_proved_alone(prove) -> None:  # type: ignore[no-untyped-def]
-    text = BUY.replace("    var there : bool = false", "    given there : bool")
-    done = prove(text)
+def test_what_a_participant_is_given_may_be_anything_when_a_protocol_is_played_alone(prove) -> None:  # type: ignore[no-untyped-def]
+    text = BUY.replace("    var there : bool = false", "    given there : bool\n    given cost : Price")
+    text = text.replace("[there]", "[there && cost.euros > 3]")
+    found = verdicts(prove(text, "--json"))
+    assert found["dead states"] == "PROVED"  # both lines of Close are taken
+    assert found["deadlock"] == found["Look@seller before Pay@buyer"] == "PROVED"
+    assert (
+        verdicts(
+            prove(text.replace("Look@seller before Pay@buyer", "Pay@buyer before Close@seller"), "--json")
+        )["Pay@buyer before Close@seller"]
+        == "REFUTED"
+    )
+
+
+def test_a_participant_that_is_given_an_agent_is_not_played_alone(prove) -> None:  # type: ignore[no-untyped-def]
+    done = prove(
+        BUY.replace("    var there : bool = false", "    given there : bool\n    given friend : agent")
+    )
     assert (done.code, done.out) == (
         3,
-        "UNDECIDED protocol buy of protocol buy: it cannot be played alone: `seller` is given no `there`"
+        "UNDECIDED protocol buy of protocol buy: it cannot be played alone: `seller` is given no `friend`"
         " [1 buyer, 1 seller]\n",
     )
 

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from aseme_dsl import outside
 from aseme_dsl.amola.aip import Aip, Participant
+from aseme_dsl.amola.messages import Kind
 from aseme_dsl.amola.system import System
 from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, is_library_path
@@ -45,21 +46,34 @@ def scopes_of(root: Path | Source, system: System, robots: int) -> Iterator[Scop
 
 
 def scope_of(root: Path | Source, aip: Aip, robots: int) -> Scope:
-    """A protocol alone: agents that play a participant once each, and do nothing else."""
+    """A protocol alone: agents that play a participant once each, and do nothing else.
+
+    What a participant is given comes from outside, as a state that may change at any time.
+    """
     source = root if isinstance(root, Source) else Source(str(root), outside.read_text(root))
-    roles = {part.name: f"{PREFIX}{part.name}" for part in aip.participants}
-    text = "".join(
-        f"srm {role} {{ plays {aip.name}.{name} liveness {{ {role} = {name} }} }}\n"
-        for name, role in roles.items()
-    )
+    text = "".join(_role(aip.name, part) for part in aip.participants)
     team = tuple(
-        (f"{part.name}{number}" if count > 1 else part.name, roles[part.name])
+        (f"{part.name}{number}" if count > 1 else part.name, f"{PREFIX}{part.name}")
         for part in aip.participants
         for count in (_count(part, robots),)
         for number in range(1, count + 1)
     )
     whole = Source(source.path, f"{source.text}\n\n{text}")
     return Scope(f"protocol {aip.name}", whole, team, aip.name, text)
+
+
+def _role(protocol: str, part: Participant) -> str:
+    """A role that plays a participant and nothing else. Its inputs, but for agents, come in a message."""
+    role = f"{PREFIX}{part.name}"
+    inputs = [item for item in part.inputs if item.type.kind is not Kind.AGENT]
+    declared = supplied = ""
+    if inputs:
+        members = "  ".join(f"{item.type} {item.name}" for item in inputs)
+        declared = f"message {role}_inputs {{ {members} }}\ntopic {role}_given {{ state {role}_inputs }}\n"
+        values = (f"{item.name} = {role}_given.state.{role}_inputs.{item.name}" for item in inputs)
+        supplied = f" with {', '.join(values)}"
+    plays = f"plays {protocol}.{part.name}{supplied}"
+    return f"{declared}srm {role} {{ {plays} liveness {{ {role} = {part.name} }} }}\n"
 
 
 def _count(part: Participant, robots: int) -> int:
