@@ -9,8 +9,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from enum import IntEnum
+from itertools import combinations
 from time import process_time
-from typing import cast
+from types import UnionType
+from typing import Union, cast, get_origin
 
 from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.srm import Guarantee
@@ -26,12 +28,14 @@ from aseme_dsl.proofs.explore.deciding.staging import by_lines_of
 from aseme_dsl.proofs.explore.explored import Assumed, Explored
 from aseme_dsl.proofs.explore.needed import Asked
 from aseme_dsl.proofs.explore.search import Eyes, Limits, Monitors, search
+from aseme_dsl.proofs.standing import reached, said_in
 from aseme_dsl.proofs.timed.search import Watching, search_with_times
 from aseme_dsl.proofs.timed.stamp import Stamp
 from aseme_dsl.proofs.timed.zone import FREE, Zone
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.inputs import Sample
-from aseme_dsl.runtime.chart.plan import Plan, is_in
+from aseme_dsl.runtime.chart.plan import ChannelInfo, Plan, is_in
+from aseme_dsl.runtime.message.as_json import member_types
 from aseme_dsl.runtime.monitor.rules import Never
 from aseme_dsl.runtime.time.clock import readable
 from aseme_dsl.runtime.version.loading import Loaded
@@ -97,23 +101,31 @@ class _Pairs:
             raise _NotSo
         sole = {channel: self._only_writer(channel) for channel in sorted(channels)}
         useful = {channel: channels[channel] for channel, writer in sole.items() if writer is not None}
-        heard = {
-            agent: self._heard(agent, labels, useful, sole)
-            for agent, labels in condition.places.items()
-            if labels
-        }
-        there = {agent: found for agent, found in heard.items() if found}
-        if not there:
-            raise _NotSo  # what it speaks of never happens
-        agents = sorted(there)
-        for place, one in enumerate(agents):
-            for other in agents[place + 1 :]:
-                for mine in there[one]:
-                    for its in there[other]:
-                        if not self._is_excluded(mine, its, channels, sole):
-                            return None
-        return Result(
-            named(item), self._scope.what, Verdict.PROVED, self._bounds(len(there) > 1), span=item.span
+        places = {agent: labels for agent, labels in condition.places.items() if labels}
+        there = {agent: self._by_form(agent, labels, useful) for agent, labels in places.items()}
+        is_so = self._are_excluded(there, channels, sole) and any(map(self._reaches, places, places.values()))
+        if not is_so:
+            heard = {agent: self._heard(agent, labels, useful, sole) for agent, labels in places.items()}
+            there = {agent: found for agent, found in heard.items() if found}
+            if not there:
+                raise _NotSo  # what it speaks of never happens
+            if not self._are_excluded(there, channels, sole):
+                return None
+        bounds = self._bounds(sum(map(bool, there.values())) > 1)
+        return Result(named(item), self._scope.what, Verdict.PROVED, bounds, span=item.span)
+
+    def _are_excluded(
+        self,
+        there: Mapping[str, frozenset[Heard]],
+        channels: Mapping[str, Sequence[tuple[str, Guarantee]]],
+        sole: Mapping[str, tuple[str, str] | None],
+    ) -> bool:
+        """Whether no two agents can have heard what they have."""
+        return all(
+            self._is_excluded(mine, its, channels, sole)
+            for one, other in combinations(sorted(there), 2)
+            for mine in there[one]
+            for its in there[other]
         )
 
     def _bounds(self, is_timed: bool) -> Bounds:
@@ -163,7 +175,7 @@ class _Pairs:
             writers = {info.name for info in plan.activities if channel in info.writes}
             for activity in sorted(writers):
                 labels = frozenset(state.label for state in plan.states if state.activity == activity)
-                if labels and self._reaches(agent, labels):
+                if self._reaches(agent, labels):
                     found.append((agent, activity))
         if not found:
             raise _NotSo
@@ -202,8 +214,11 @@ class _Pairs:
 
     def _reaches(self, agent: str, labels: frozenset[str]) -> bool:
         """Whether an agent may ever be in one of these states."""
+        fixed = self._fixed(agent)
+        if not labels & reached(self._plans[agent], fixed):
+            return False
         eyes = Eyes()
-        explored = self._explored(agent, labels, Alone(fixed=self._fixed(agent)), eyes, False)
+        explored = self._explored(agent, labels, Alone(fixed=fixed), eyes, False)
         seen: list[bool] = []
         explored.stepped = lambda: seen.append(True) if _is_inside(explored, labels) and not seen else None
         graph = search(explored, eyes, None, self._rest(), lambda graph: bool(seen))
@@ -212,6 +227,36 @@ class _Pairs:
         else:
             self._states += len(graph.parents)
         return bool(seen)
+
+    def _by_form(self, agent: str, labels: frozenset[str], channels: Iterable[str]) -> frozenset[Heard]:
+        """What an agent has heard in each of the places, by the form of its statechart."""
+        plan, fixed = self._plans[agent], self._fixed(agent)
+        rules = {info.name: info for info in plan.channels}
+        found: set[Heard] = set()
+        for label in sorted(labels & reached(plan, fixed)):
+            facts: list[_Fact] = []
+            for item in said_in(plan, label, fixed, self._is_optional):
+                if item.channel in channels:
+                    most = self._sent(item.age, rules[item.channel])
+                    facts.append(_Fact(item.channel, item.members, 0, most))
+            found.add(frozenset(facts))
+        return frozenset(found)
+
+    def _sent(self, age: int | None, rule: ChannelInfo) -> int | None:
+        """How long ago a message of this age was sent at the most, by the agent itself or another one."""
+        delay = self._given.delay
+        if age is None or rule.radio is None:
+            return age
+        return None if delay is None else max(age, age - rule.delay + delay[1])
+
+    def _is_optional(self, channel: str, path: Path) -> bool:
+        """Whether a member of a message may be absent."""
+        kind: object = self._loaded.messages[channel.rpartition(".")[2]]
+        for name in path:
+            kind = member_types(cast(type, kind))[name]
+            if get_origin(kind) in (Union, UnionType):
+                return True
+        return False
 
     def _heard(
         self,

@@ -9,13 +9,20 @@ from .knowledge import PLAYERS, SECOND, mate_place
 
 RENEWED = 0.35
 """An assignment is void if it is not repeated; it is repeated after so many seconds."""
+VOID = 1.5
+"""After so many seconds without a message, nobody believes to be the center any more; see "one center"."""
 NEARER = 50.0
 """A robot takes over from the center if it is nearer by this, cm: else they would change all the time."""
 
 
 class AssignRoles:
     def execute(self, context: Context) -> None:
-        last = context.read("team.state.Assignment", Assignment) or Assignment()
+        last = context.read("team.state.Assignment", Assignment)
+        if last is None:
+            # It begins, perhaps anew after a crash: then the center from before still believes to be one.
+            last = Assignment()
+            context.publish("team.state.Assignment", last)
+            context.wait(VOID)
         if context.read("team.signal.Pass", Pass) is not None:
             for _ in range(8):  # while a pass is under way, everybody keeps to his part
                 context.publish("team.state.Assignment", last)
@@ -26,7 +33,7 @@ class AssignRoles:
         if last.center not in (0, wanted.center):
             # The center may not hear that it is one no more. It knows when its assignment has become void.
             context.publish("team.state.Assignment", Assignment(0, wanted.center_for))
-            context.wait(1.4)
+            context.wait(VOID)
         context.publish("team.state.Assignment", wanted)
 
     def wanted(self, context: Context, last: Assignment) -> Assignment | None:

@@ -1,0 +1,56 @@
+"""The claim of `examples/robocup`: two robots never both believe to be the center."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.cli.support import Here
+
+EXAMPLE = Path(__file__).parents[2] / "examples" / "robocup" / "kouretes.aseme"
+
+LEASE = "age(team.state.Assignment) < 1200ms"
+LEAVES = "    leave center          : when [!is_center]\n"
+IS_CENTER = "assigned && team.state.Assignment.center == my.state.Identity.number"
+FIVE = "robot1, robot2, robot3, robot4, robot5"
+NUMBER_3 = "assume robot3 has [my.state.Identity.number == 3]"
+
+
+def asked(here: Here, folder: Path, *changes: str) -> str:
+    """The line about the claim, in a changed file and for up to five players."""
+    text = EXAMPLE.read_text("utf-8")
+    for old, new in zip(changes[::2], changes[1::2], strict=True):
+        assert old in text
+        text = text.replace(old, new, 1)
+    (folder / "kouretes.aseme").write_text(text)
+    done = here("prove", "kouretes.aseme", "one center", "--budget", "600ms", "--robots", "5")
+    assert "one center of team" in done.out, done.out + done.err
+    return done.out.splitlines()[0]
+
+
+def test_five_robots_never_both_believe_to_be_the_center(here: Here, folder: Path) -> None:
+    more = " ".join(f"assume robot{n} has [my.state.Identity.number == {n}]" for n in (4, 5))
+    line = asked(here, folder, "robot1, robot2, robot3 :", f"{FIVE} :", NUMBER_3, f"{NUMBER_3} {more}")
+    assert line.startswith("PROVED"), line
+    assert "5 player, 1 goalie; delay 0 s to 0.3 s; all times" in line
+    assert "any crashes and restarts" in line
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        (LEASE, "age(team.state.Assignment) < 1201ms"),
+        (LEASE, "age(team.state.Assignment) > 1200ms"),
+        (LEAVES, ""),
+        (IS_CENTER, "assigned || team.state.Assignment.center == my.state.Identity.number"),
+        ("within 1400ms", "within 1399ms"),
+        ("delay 0ms..300ms", "delay 0ms..301ms"),
+        (NUMBER_3, "assume robot3 has [my.state.Identity.number == 2]"),
+        ("[my.state.Identity.number == 1]", "[my.state.Identity.number > 0]"),
+        ("leds         takes 5ms", "leds         takes 5ms writes team.state.Assignment"),
+    ],
+)
+def test_planted_faults_are_never_proved(here: Here, folder: Path, changes: tuple[str, ...]) -> None:
+    line = asked(here, folder, *changes)
+    assert not line.startswith("PROVED"), line
