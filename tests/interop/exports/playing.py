@@ -176,7 +176,10 @@ class Recorder:
                 continue
             self.reference.asking = self.chart.root.label
             term = value_term(item.given)
-            value = self.reference.value(term, board)
+            try:
+                value = self.reference.value(term, board)
+            except Exception:  # of a function of the project: its value is absent
+                value = ABSENT
             found[item.name] = None if value is ABSENT else plain(value)
         return found
 
