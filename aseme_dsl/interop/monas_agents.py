@@ -27,6 +27,7 @@ from dataclasses import field
 from aseme_dsl.amola.expression import duration_text
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.diagnostics.problems import files as problems
+from aseme_dsl.interop.emf.report import Fate, Row
 from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, Span
 
@@ -71,12 +72,20 @@ class _Element:
 
 def modules_of(source: Source) -> tuple[str, tuple[Diagnostic, ...]]:
     """The text of a `modules` block ("" if it cannot be read), and what could not be taken over."""
+    text, _, found = reported_modules(source)
+    return text, found
+
+
+def reported_modules(source: Source) -> tuple[str, tuple[Row, ...], tuple[Diagnostic, ...]]:
+    """As `modules_of`, with what became of each module and statechart."""
     found: list[Diagnostic] = []
     root = _parsed(source, found)
     if root is None:
-        return "", tuple(found)
+        return "", (), tuple(found)
     lines: list[str] = []
     statecharts: list[str] = []
+    rows: list[Row] = []
+    charts: list[Row] = []
     known: set[str] = set()
     any_known = False
     left_out: list[Diagnostic] = []
@@ -89,17 +98,21 @@ def modules_of(source: Source) -> tuple[str, tuple[Diagnostic, ...]]:
         if kind == "statechart":
             state = "" if item.is_enabled else " (switched off)"
             statecharts.append(f"{_name(item)}{state}")
+            now = f"a comment{state}: import its model, too"
+            charts.append(Row(Fate.LEFT_OUT, f"statechart {_name(item)}", item.place, now))
         else:
-            lines += _thread(item, kind, known, found)
+            lines += _thread(item, kind, known, found, rows)
     if not any_known:
         found.append(Diagnostic(problems.NotOfMonas(source.path), root.place))
-        return "", tuple(found)
+        return "", (), tuple(found)
     found += left_out
     about = [f"  // statecharts: {', '.join(statecharts)}"] if statecharts else []
-    return "\n".join(["modules {", *about, *lines, "}", ""]), tuple(found)
+    return "\n".join(["modules {", *about, *lines, "}", ""]), (*rows, *charts), tuple(found)
 
 
-def _thread(item: _Element, kind: str, known: set[str], found: list[Diagnostic]) -> list[str]:
+def _thread(
+    item: _Element, kind: str, known: set[str], found: list[Diagnostic], rows: list[Row]
+) -> list[str]:
     """The lines of an agent or a provider."""
     name = _name(item)
     parts = [child for child in item.children if child.name.lower() == "activity"]
@@ -111,15 +124,25 @@ def _thread(item: _Element, kind: str, known: set[str], found: list[Diagnostic])
     period = _period(item, name, found)
     lines = [f"  // {kind} {name}"]
     for member, is_enabled, place in members:
+        fate = Fate.LEFT_OUT
         if not _NAME.fullmatch(member):
             found.append(Diagnostic(problems.NoModuleName(member), place))
+            now = "its name is not one of the language"
         elif member in known:
             found.append(Diagnostic(problems.ModuleAgain(member), place))
+            now = "it is there a second time"
         else:
             known.add(member)
             clause = f" every {duration_text(period)}" if period is not None else ""
             off = "" if is_enabled and period is not None else "// "
+            if not off:
+                fate, now = Fate.KEPT, f"module{clause}"
+            elif not is_enabled:
+                now = "a comment: it is switched off"
+            else:
+                now = "a comment: it has no period"
             lines.append(f"  {off}{member}{clause}{'' if is_enabled else '  (switched off)'}")
+        rows.append(Row(fate, f"module {member}", place, now))
     return lines
 
 
@@ -282,4 +305,4 @@ class _NotThis(Exception):
         self.place = place
 
 
-__all__ = ["modules_of"]
+__all__ = ["modules_of", "reported_modules"]

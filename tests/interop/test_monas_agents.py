@@ -12,8 +12,10 @@ from hypothesis import strategies as st
 from aseme_dsl.compiler import analyse
 from aseme_dsl.diagnostics import render_text
 from aseme_dsl.interop.monas_agents import modules_of
+from aseme_dsl.project.editing.import_models import ImportedProject, import_models, write_project
 from aseme_dsl.project.files.foreign import imported_modules
 from aseme_dsl.source import Source
+from tests.interop.test_emf_charts import MODELS
 
 TEXT = """<?xml version="1.0"?>
 <agents>
@@ -144,6 +146,51 @@ def test_a_name_ends_no_comment() -> None:
     name = "Head\n}\nsrm evil { liveness { evil = A } }\u2028\x1b[2J"
     text, _ = modules_of(Source("agents.xml", f"<agent ThreadFrequency=1><name>{name}</name></agent>"))
     assert len(text.splitlines()) == 3 and "\x1b" not in text
+
+
+def project_of(folder: Path, *models: Path) -> ImportedProject:
+    """The project of models and the `agents.xml` with `TEXT`, compiled into `folder`."""
+    agents = folder / "agents.xml"
+    agents.write_text(TEXT, "utf-8")
+    project = write_project(import_models([*models, agents]), folder / "out")
+    assert [item.code for item in project.diagnostics] == ["W111", "W111", "W110"]
+    return project
+
+
+def named(project: ImportedProject) -> dict[str, list[str]]:
+    analysis = analyse(next(path for path in project.created if path.suffix == ".aseme"))
+    assert analysis.system is not None, render_text(analysis.diagnostics)
+    return {role.name: [item.name for item in role.modules] for role in analysis.system.srms}
+
+
+NAMES = ["Vision", "LocalWorldState", "HeadController", "Sensors"]
+
+
+def test_alone_in_a_directory_they_become_a_project_that_checks(tmp_path: Path) -> None:
+    project = project_of(tmp_path)
+    assert named(project) == {"robot": NAMES}
+    assert [(row.fate.value, row.element) for row in project.rows] == [
+        ("added", "role robot"),
+        ("taken over", "module Vision"),
+        ("taken over", "module LocalWorldState"),
+        ("left out", "module Behavior"),
+        ("taken over", "module HeadController"),
+        ("left out", "module PathPlanning"),
+        ("taken over", "module Sensors"),
+        ("left out", "module LedHandler"),
+        ("left out", "module Sensors"),
+        ("left out", "statechart Goalie"),
+        ("left out", "statechart Tester"),
+    ]
+    assert all(row.place is not None for row in project.rows[1:])
+
+
+@pytest.mark.parametrize("files", [("club.srm",), ("club.sag",), ("club.suc",)])
+def test_beside_requirements_a_role_gets_the_modules(files: tuple[str, ...], tmp_path: Path) -> None:
+    roles = named(project_of(tmp_path, *(MODELS / name for name in files)))
+    assert [name for name, modules in roles.items() if modules == NAMES] == (
+        ["singer"] if "club.srm" in files else ["robot"]
+    )
 
 
 def test_what_means_nothing_is_said() -> None:

@@ -34,6 +34,8 @@ class Documents:
     problems: dict[str, str] = field(default_factory=dict)
     names: Names = field(default_factory=Names)
     functionalities: Names = field(default_factory=Names)
+    modules: tuple[str, ...] = ()
+    """What the first role gets that has no chart."""
 
     def name(self, text: str) -> str:
         """The same name for the same text everywhere: a role is called like its actor."""
@@ -57,6 +59,7 @@ class DocumentText:
     rows: tuple[Row, ...]
     inside: Mapping[str, tuple[tuple[str, ...], Mapping[int, str]]] = field(default_factory=dict)
     """What roles that are charts get besides, likewise."""
+    has_modules: bool = False
 
 
 class _Writer:
@@ -69,6 +72,7 @@ class _Writer:
         self.lines: list[str] = []
         self.keys: dict[int, str] = {}
         self.rows: list[Row] = []
+        self.has_modules = False
 
     def written(self) -> DocumentText:
         if self.found.actors or self.found.goals:
@@ -88,7 +92,7 @@ class _Writer:
                 self._srm(name, role)
         for what, place, why in self.found.lost:
             self.rows.append(Row(Fate.LEFT_OUT, what, place, why))
-        return DocumentText(tuple(self.lines), self.keys, tuple(self.rows), self.inside)
+        return DocumentText(tuple(self.lines), self.keys, tuple(self.rows), self.inside, self.has_modules)
 
     def _row(self, what: str, text: str, place: Span, now: str) -> None:
         name = self.name(text)
@@ -240,6 +244,9 @@ class _Writer:
             self._formula(f"{name}.{number}", left, formula, role.name, role.place)
         self.lines.append("  }")
         self._activities(name, role.activities)
+        if not self.has_modules:
+            self.lines += [f"  {line}" for line in self.documents.modules]
+            self.has_modules = True
         self.lines.append("}")
 
     def _parts(self, formulas: Sequence[tuple[str, ForeignFormula]]) -> dict[str, str]:

@@ -34,8 +34,23 @@ from aseme_dsl.source import Source
 
 CHARTS = (".eac", ".iac", ".model", ".sct", ".stct")
 """The endings of files with a statechart."""
+ROBOT = "robot"
+"""The role that gets the modules where no model says one."""
+_NOTHING = "OnlyModules"
 MODELS = (*CHARTS, ".aip", ".sag", ".srm", ".suc")
 """The endings of all models."""
+
+
+@dataclass(frozen=True, slots=True)
+class Threads:
+    """What `agents.xml` files say: the lines of `modules` blocks, what became of each part, the files."""
+
+    lines: tuple[str, ...] = ()
+    rows: tuple[Row, ...] = ()
+    files: tuple[str, ...] = ()
+
+
+NO_THREADS = Threads()
 
 
 @dataclass(slots=True)
@@ -47,7 +62,7 @@ class ForeignSystem:
     plans: list[RolePlan]
     meaning: Meaning
     protos: tuple[str, ...] = ()
-    modules: tuple[str, ...] = ()
+    threads: Threads = NO_THREADS
     documents: Documents = field(default_factory=lambda: Documents(Requirements()))
     protocols: list[ProtocolPlan] = field(default_factory=list)
 
@@ -93,7 +108,7 @@ class SystemText:
 
 
 def read_system(
-    sources: Sequence[Source], known: Known, protos: tuple[str, ...] = (), modules: tuple[str, ...] = ()
+    sources: Sequence[Source], known: Known, protos: tuple[str, ...] = (), threads: Threads = NO_THREADS
 ) -> tuple[ForeignSystem | None, tuple[Diagnostic, ...]]:
     """The models of XMI files, and a diagnostic for each that is not read."""
     found: list[Diagnostic] = []
@@ -114,7 +129,7 @@ def read_system(
                 raise Unreadable(said, document.place)
         except Unreadable as problem:
             found.append(Diagnostic(ForeignNotRead(source.path, str(problem)), problem.place))
-    if not charts and requirements == Requirements():
+    if not charts and requirements == Requirements() and not threads.lines:
         return None, tuple(found)
     documents = Documents(requirements)
     roles = {name.lower(): name for name in documents.roles()}
@@ -133,10 +148,13 @@ def read_system(
         if own and plan.reconstructed is None:
             plan.name = names.new(f"{plan.name}_chart")
         plans.append(plan)
-    first = plans[0].name if plans else protocols[0].name if protocols else PurePath(sources[0].path).stem
+    if plans or protocols:
+        first = (*plans, *protocols)[0].name
+    else:
+        first = PurePath(sources[0].path).stem if requirements != Requirements() else ROBOT
     meaning = Meaning(Known(known.messages, known.enums, known.constants, variables))
-    files = tuple(source.path for source in sources)
-    system = ForeignSystem(system_name(first), files, plans, meaning, protos, modules, documents, protocols)
+    files = (*(source.path for source in sources), *threads.files)
+    system = ForeignSystem(system_name(first), files, plans, meaning, protos, threads, documents, protocols)
     system.gather()
     return system, tuple(found)
 
@@ -165,6 +183,8 @@ def system_text(system: ForeignSystem, *, with_holes: bool = True) -> SystemText
     rows = list(_declared(system))
     places: dict[int, tuple[int, int | None] | str] = {}
     charts = {role.name for role in roles if role.is_formula} | {item.name for item in system.protocols}
+    modules = system.threads.lines
+    system.documents.modules = () if roles else modules
     documents = system.documents.written(frozenset(charts))
     places |= {len(lines) + index + 1: key for index, key in documents.keys.items()}
     lines += [line if with_holes else line.replace(" ? ", " . ") for line in documents.lines]
@@ -180,14 +200,21 @@ def system_text(system: ForeignSystem, *, with_holes: bool = True) -> SystemText
     for number, role in enumerate(roles):
         lines.append("")
         text = list(role.lines)
-        if number == 0 and system.modules:
-            text[-1:-1] = [f"  {line}" for line in system.modules]
+        if number == 0:
+            text[-1:-1] = [f"  {line}" for line in modules]
         places |= {len(lines) + i + 1: (number, role.transitions.get(i)) for i in range(len(text))}
         more, keys = documents.inside.get(role.name, ((), {}))
         places |= {len(lines) + len(text) + i: key for i, key in keys.items()}
         text[-1:-1] = more
         lines += text
         rows += role.rows
+    if modules and not roles and not documents.has_modules:
+        name = system.documents.name(ROBOT)
+        now = f"no model says what it does: write it instead of {_NOTHING}"
+        rows.append(Row(Fate.ADDED, f"role {name}", None, now))
+        lines += [f"srm {name} {{", f"  liveness {{ {name} = {_NOTHING} }}"]
+        lines += [f"  activities {{ {_NOTHING} waits }}", *(f"  {line}" for line in modules), "}"]
+    rows += system.threads.rows
     return SystemText(
         "\n".join([*lines, ""]), places, tuple(rows), _functions(system), [role.name for role in roles]
     )

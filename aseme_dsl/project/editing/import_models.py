@@ -16,9 +16,9 @@ from aseme_dsl.interop.emf.comparison import differences
 from aseme_dsl.interop.emf.report import Row, as_markdown
 from aseme_dsl.interop.emf.requirements import Requirements
 from aseme_dsl.interop.emf.roles import RolePlan
-from aseme_dsl.interop.emf.system import ForeignSystem, SystemText, read_system, system_text
+from aseme_dsl.interop.emf.system import ForeignSystem, SystemText, Threads, read_system, system_text
 from aseme_dsl.interop.machines.system import machines_text
-from aseme_dsl.interop.monas_agents import modules_of
+from aseme_dsl.interop.monas_agents import reported_modules
 from aseme_dsl.project.editing.foreign_files import ForeignFiles, gather
 from aseme_dsl.project.editing.import_machines import machines_of
 from aseme_dsl.project.files.write import DISK, Disk, write_new
@@ -52,17 +52,22 @@ def import_models(paths: Sequence[Path]) -> ImportedProject:
     if given.machines:
         return _machines(given)
     modules: list[str] = []
+    rows: list[Row] = []
     for source in given.monas:
-        text, found = modules_of(source)
+        text, about, found = reported_modules(source)
         diagnostics += found
+        rows += about
         modules += text.splitlines()
     names = tuple(path.name for path in given.protos)
-    system, found = read_system(given.models, given.known, names, tuple(modules))
+    threads = Threads(tuple(modules), tuple(rows), tuple(source.path for source in given.monas))
+    system, found = read_system(given.models, given.known, names, threads)
     diagnostics += found
     if system is None:
         return ImportedProject(diagnostics=tuple(diagnostics))
     diagnostics += _settled(system, given)
-    if not (system.plans or system.protocols) and system.documents.requirements == Requirements():
+    if not (system.plans or system.protocols or modules) and (
+        system.documents.requirements == Requirements()
+    ):
         return ImportedProject(diagnostics=tuple(diagnostics))
     return _project(system, given, diagnostics)
 

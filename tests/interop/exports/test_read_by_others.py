@@ -89,9 +89,24 @@ def test_mermaid_reads_drawings() -> None:
 def test_plantuml_reads_drawings(tmp_path: Path) -> None:
     if shutil.which("plantuml") is None:
         pytest.skip("NOT TRIED, for there is no `plantuml` here: apt-get install plantuml")
-    for made in exported(Format.PLANTUML, 20):
+    found = exported(Format.PLANTUML, 100)
+    for number, made in enumerate(found):
+        (tmp_path / f"{number}.puml").write_text(made, "utf-8")
+    for name, text in (("whole.puml", found[0]), ("broken.puml", found[0].replace("state ", "state { ", 1))):
+        (tmp_path / name).write_text(text, "utf-8")
+    assert checked(["whole.puml"], tmp_path) == (0, "")
+    assert checked(["broken.puml"], tmp_path)[0] != 0
+    assert checked([f"{number}.puml" for number in range(len(found))], tmp_path) == (0, "")
+    for made in found[:3]:
         done = subprocess.run(["plantuml", "-syntax"], input=made, capture_output=True, text=True, timeout=60)
         assert done.stdout.startswith("STATE"), done.stdout
+
+
+def checked(names: list[str], folder: Path) -> tuple[int, str]:
+    """What PlantUML says of files: its exit code, and text about mistakes."""
+    command = ["plantuml", "-checkonly", "-charset", "UTF-8", *names]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=300)
+    return done.returncode, done.stdout + done.stderr
 
 
 def test_what_processes_and_drawings_lack() -> None:
