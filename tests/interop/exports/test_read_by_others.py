@@ -92,8 +92,8 @@ def test_plantuml_reads_drawings(tmp_path: Path) -> None:
     found = exported(Format.PLANTUML, 100)
     for number, made in enumerate(found):
         (tmp_path / f"{number}.puml").write_text(made, "utf-8")
-    for name, text in (("whole.puml", found[0]), ("broken.puml", found[0].replace("state ", "state { ", 1))):
-        (tmp_path / name).write_text(text, "utf-8")
+    for name, made in (("whole.puml", found[0]), ("broken.puml", found[0].replace("state ", "state { ", 1))):
+        (tmp_path / name).write_text(made, "utf-8")
     assert checked(["whole.puml"], tmp_path) == (0, "")
     assert checked(["broken.puml"], tmp_path)[0] != 0
     assert checked([f"{number}.puml" for number in range(len(found))], tmp_path) == (0, "")
