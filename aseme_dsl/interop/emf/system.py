@@ -148,10 +148,10 @@ def read_system(
         if own and plan.reconstructed is None:
             plan.name = names.new(f"{plan.name}_chart")
         plans.append(plan)
-    if plans or protocols:
-        first = (*plans, *protocols)[0].name
-    else:
-        first = PurePath(sources[0].path).stem if requirements != Requirements() else ROBOT
+    names_known = [*(plan.name for plan in plans), *(protocol.name for protocol in protocols)]
+    if requirements != Requirements():
+        names_known.append(PurePath(sources[0].path).stem)
+    first = (*names_known, ROBOT)[0]
     meaning = Meaning(Known(known.messages, known.enums, known.constants, variables))
     files = (*(source.path for source in sources), *threads.files)
     system = ForeignSystem(system_name(first), files, plans, meaning, protos, threads, documents, protocols)
