@@ -39,6 +39,21 @@ srm player {
 team S { a : player  b : player }
 """
 
+GUARD = """\
+system S
+statechart guard {
+  state 0 OR  state 0.1 START  state 0.2 BASIC Rest
+  state 0.3 AND
+  state 0.3.1 OR  state 0.3.1.1 START  state 0.3.1.2 BASIC Look   state 0.3.1.3 BASIC Follow
+  state 0.3.2 OR  state 0.3.2.1 START  state 0.3.2.2 BASIC Stand  state 0.3.2.3 BASIC Walk
+  0.1 -> 0.2 :  0.3.1.1 -> 0.3.1.2 :  0.3.2.1 -> 0.3.2.2 :
+  0.2 -> (0.3.1.3, 0.3.2.3) : after(1s)
+  0.3 -> 0.2 : after(1s)
+  activities { Rest waits  Look waits  Follow waits  Stand waits  Walk waits }
+}
+team S { a : guard }
+"""
+
 WITHOUT_KICK = """\
 system S
 message Ball { double x  bool near }
@@ -106,6 +121,25 @@ class TestGoingOn:
         assert line["entered"] == ["0.2.2"]
         assert "205 Blink" in starts(records, 205 * MS)
         assert not [s for s in starts(records, 205 * MS) if "Search" in s and int(s.split()[0]) < 400]
+
+    @pytest.mark.parametrize(
+        ("targets", "start"),
+        [("(0.3.1.2, 0.3.2.3)", "Look Walk"), ("0.3.1.3", "Follow Stand"), ("0.3", "Look Stand")],
+    )
+    def test_other_targets_of_one_transition_count_from_the_swap_on(self, targets: str, start: str) -> None:
+        both = "(0.3.1.3, 0.3.2.3)"
+        for one, other, expected in (
+            (both, targets, ("Follow Walk", start)),
+            (targets, both, (start, "Follow Walk")),
+        ):
+            old, new = (generate(GUARD.replace(both, item)) for item in (one, other))
+            assert old.package.MODEL != new.package.MODEL
+            to = version(new)
+            records = played(old, lambda team, to=to: team.swap(to, at=1500 * MS), until=3500 * MS)
+            assert [(line["what"], line.get("entered")) for line in swaps(records)] == [("done", None)]
+            found = [set(expected[0].split()), {"Rest"}, set(expected[1].split())]
+            begun = starts(records, 1000 * MS)
+            assert [{s.split()[1] for s in begun if s.startswith(f"{at}000 ")} for at in (1, 2, 3)] == found
 
     def test_an_activity_of_which_the_new_version_says_something_else_starts_anew(self) -> None:
         new = version(ONE.replace("Kick takes 300ms", "Kick takes 50ms"))
