@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import cast
 
 from aseme_dsl import outside
+from aseme_dsl.project.observing.quick_lines import quick_reader
 from aseme_dsl.project.observing.talks import Message
 from aseme_dsl.runtime.message.acl import performative_of
 from aseme_dsl.runtime.trace.trace_check import LATEST
@@ -37,6 +38,7 @@ class MessageLog:
         """The first line whose time is before that of the line before it."""
         self._origin: int | None = None
         self._performatives: dict[str, str] = {}
+        self._quick = quick_reader()
 
     def __iter__(self) -> Iterator[Message]:
         """The messages in the order of the lines.
@@ -52,7 +54,7 @@ class MessageLog:
                     number += 1
                     if line.isspace():
                         continue
-                    found = self._message(line)
+                    found = self._usual(line) or self._message(line)
                     if isinstance(found, str):
                         if not line.endswith(b"\n"):
                             self.problem = f"{self.path}:{number}: the log breaks off here: {found}"
@@ -66,6 +68,40 @@ class MessageLog:
             self.problem = f"{self.path}:{number + 1}: the log breaks off here: {torn.reason}"
         except OSError as problem:
             raise TraceError(f"{self.path} cannot be read: {reason_of(problem)}") from problem
+
+    def _usual(self, line: bytes) -> Message | None:
+        """What a line says, read by the quick parser; None if that is not there, or leaves it to ours."""
+        if self._quick is None or not line.isascii() or line.count(b"{") + line.count(b"[") > _DEEPEST:
+            return None
+        try:
+            said = self._quick(line)
+        except ValueError:
+            return None
+        performative = self._performatives.get(said.performative)
+        moment = self._moment(said.time)
+        if moment is None or performative is None or not said.sender or not said.conversation:
+            return None
+        receiver, received = said.receiver, None
+        if type(receiver) is str:
+            to: tuple[str, ...] = (receiver,)
+        else:
+            to = (receiver[0],) if len(receiver) == 1 else tuple(dict.fromkeys(receiver))
+        if said.received is not None and (received := self._moment(said.received)) is None:
+            return None
+        return Message(
+            moment,
+            said.conversation,
+            said.protocol,
+            said.sender,
+            to,
+            performative,
+            said.message,
+            said.content,
+            (said.participant, ""),
+            False,
+            said.id,
+            received,
+        )
 
     def _message(self, line: bytes) -> Message | str:
         """What a line says, or what is wrong with it."""

@@ -12,6 +12,7 @@ from aseme_dsl.project.playing.merging import Beginning, shifts
 from aseme_dsl.runtime.trace.records import Record
 from aseme_dsl.runtime.trace.trace_files import TraceError
 from aseme_dsl.runtime.trace.trace_reading import Line, TraceReader, fitting
+from aseme_dsl.runtime.workers.process_wide import uncollected
 
 
 def observe(paths: Sequence[Path], session: Session) -> tuple[Observed, tuple[tuple[Path, str], ...]]:
@@ -28,7 +29,8 @@ def observe(paths: Sequence[Path], session: Session) -> tuple[Observed, tuple[tu
     if len(kinds) > 1:
         first = next(path for path in paths if is_trace(path) != is_trace(paths[0]))
         raise TraceError(f"{paths[0]} and {first} are logs of different kinds: observe one kind at a time")
-    return _traces(paths, session) if kinds == {True} else _logs(paths, session)
+    with uncollected():  # what is read makes no cycles, and stays: to look through it takes half of the time
+        return _traces(paths, session) if kinds == {True} else _logs(paths, session)
 
 
 def _logs(paths: Sequence[Path], session: Session) -> tuple[Observed, tuple[tuple[Path, str], ...]]:

@@ -111,8 +111,8 @@ class _Last(NamedTuple):
         )
 
 
-_Step = tuple[str, "str | None", tuple[str, str], Belief, Belief]
-"""A performative, a type, the parts that are said, and the beliefs about the sender and the receiver."""
+_Step = tuple[tuple[str, "str | None", tuple[str, str], int], Belief, Belief]
+"""A performative, a type, the parts, how many receivers; what is believed of the sender, and of each receiver."""
 
 
 @dataclass(slots=True)
@@ -149,7 +149,7 @@ class Talks:
         self._opened: set[str] = set()
         self._kinds: dict[tuple[str, str, str], tuple[Kind, ...]] = {}
         self._steps: dict[_Step, tuple[Belief, Belief, Said]] = {}
-        """What was worked out of messages to one agent."""
+        """What was worked out of messages to one agent, or to several of which the same is believed."""
         self.sums: dict[str, ProtocolSum] = {}
         self.others: Counter[str] = Counter()
         """How many messages are of protocols that the model does not have."""
@@ -280,21 +280,28 @@ class Talks:
 
     def _is_known(self, talk: _Talk, message: Message) -> bool:
         """Follow a message if it is one as there were others before: most are."""
-        to = message.to
-        if len(to) != 1 or message.name or message.received is not None or to[0] == message.sender:
+        to, sender = message.to, message.sender
+        if not to or message.name or message.received is not None or sender in to:
             return False
-        own, theirs = self._key(message, message.sender, 0), self._key(message, to[0], 1)
-        agents, start = talk.agents, talk.start
-        before = agents.get(own, start), agents.get(theirs, start)
-        step = self._steps.get((message.performative, message.message, message.parts, *before))
+        agents, start, last = talk.agents, talk.start, talk.last
+        part, other = message.parts if message.is_one else ("", "")
+        own, theirs = (sender, part), (to[0], other)
+        belief = agents.get(theirs, start)
+        kind = message.performative, message.message, message.parts, len(to)
+        step = self._steps.get((kind, agents.get(own, start), belief))
         if step is None:
             return False
+        if len(to) > 1 and any(agents.get((name, other), start) is not belief for name in to):
+            return False
         if not message.is_one:
-            last = talk.last.get(message.sender)
-            if last is not None and last.may_be(message):
+            before = last.get(sender)
+            if before is not None and before.may_be(message):
                 return False
-            talk.last[message.sender] = _Last(message, to, step[2])
+            last[sender] = _Last(message, to, step[2])
         agents[own], agents[theirs] = step[0], step[1]
+        if len(to) > 1:
+            for name in to:
+                agents[name, other] = step[1]
         return True
 
     # ---- messages --------------------------------------------------------------------------------
@@ -310,6 +317,7 @@ class Talks:
             return self._deviation(talk, message, None, f"{beliefs.contract.name} has no such message")
         own = self._key(message, message.sender, 0)
         before = talk.agents.get(own, talk.start), self._belief(talk, message, message.to[:1])
+        is_alike = all(self._belief(talk, message, (name,)) is before[1] for name in message.to[1:])
         to = self._parts_of(talk, message)
         belief = self._as(beliefs, before[0], message.parts[0])
         said = beliefs.said(belief, kinds, to, is_ours=message.is_one)
@@ -339,7 +347,7 @@ class Talks:
             heapq.heappush(self._under_way, place)
             return None
         deviation = self._heard(talk, message, kinds, said)
-        if deviation is None and is_plain and len(message.to) == 1 and not message.name:
+        if deviation is None and is_plain and is_alike and not message.name:
             self._learn(talk, message, before, said)
         return deviation
 
@@ -348,8 +356,8 @@ class Talks:
         if len(self._steps) >= CONVERSATIONS:
             self._steps.clear()
         after = self._belief(talk, message, message.to)
-        key = message.performative, message.message, message.parts, *before
-        self._steps[key] = said.belief, after, said
+        kind = message.performative, message.message, message.parts, len(message.to)
+        self._steps[kind, *before] = said.belief, after, said
 
     def _belief(self, talk: _Talk, message: Message, names: Sequence[str]) -> Belief:
         """What is believed of the first of some receivers."""
