@@ -8,6 +8,7 @@ from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from time import process_time
+from typing import ParamSpec, TypeVar
 
 from aseme_dsl.amola.system import System
 from aseme_dsl.compiler.phases import inspect_files, watched_of
@@ -46,6 +47,11 @@ from aseme_dsl.proofs.explore.search import Eyes, Limits, search
 from aseme_dsl.proofs.timed.search import Watching, search_with_times
 from aseme_dsl.runtime.trace.trace import Listener
 from aseme_dsl.runtime.version.loading import Loaded
+
+P = ParamSpec("P")
+T = TypeVar("T")
+_BUILT_IN = 5
+"""So many questions are asked of every team, about: their share of the time is that of as many properties."""
 
 
 class NotThere(Exception):
@@ -118,66 +124,90 @@ def _explored(
         plans = {role: loaded.charts[role].PLAN for _, role in scope.team}
         groups = groups_of(scope.team, plans)
         own_script = None if script is None else of_scope(script, scope)
-        search_in = partial(_searched, system=own.system, loaded=loaded, assumed=assumed, asked=asked)
-        until = process_time() + limits.seconds
+        searched = partial(_searched, system=own.system, loaded=loaded, assumed=assumed, asked=asked)
+        purse = _Purse(limits)
+        share, search_in = purse.share, partial(purse.spend, searched)
 
-        def share(parts: int) -> Limits:
-            return replace(limits, seconds=max(0.0, until - process_time()) / parts)
-
-        def with_times(item: Result, team: Scope) -> Result:
-            """The answer about failures, with times if it depends on them."""
+        def with_times(item: Result, team: Scope, later: int) -> Result:
+            """The answer about failures, with times if it depends on them; so many questions come later."""
             if not (item.is_built_in and item.is_abstract and item.name == "failures"):
                 return item
-            judge = search_in(team, None, share(2), times=Times(horizon))
+            judge = search_in(team, None, share(1 + later), times=Times(horizon))
             assert judge is not None
             return judge.failures()
 
         found: dict[str, Result] = {}
         rest: list[Expectation] = []
+        expected = () if own_script is None else own_script.expectations
+        known += map(named, expected)
+        wanted = [item for item in expected if not asked or named(item) in asked]
+        timed = [item for item in wanted if is_timed(item.rule)]
+        untimed = [item for item in wanted if not is_timed(item.rule)]
+        others = _BUILT_IN if not asked else len({*asked} - {*map(named, expected)})
         if own_script is not None:
-            known += map(named, own_script.expectations)
-            for item in own_script.expectations:
-                if asked and named(item) not in asked:
-                    continue
+            for number, item in enumerate(untimed):
                 one = replace(own_script, expectations=(item,))
                 about = asked_by(one)
-                if is_timed(item.rule):
-                    continue
-                proved = by_pairs(scope, own_script, item, loaded, assumed, share(3))
+                parts = len(untimed) - number + len(timed) + others
+                proved = purse.spend(by_pairs, scope, own_script, item, loaded, assumed, share(2 * parts))
                 if proved is not None:
                     found[named(item)] = proved
                     continue
-                judge = None if about is None else search_in(scope, one, share(2), about=about)
+                judge = None if about is None else search_in(scope, one, share(parts), about=about)
                 if judge is None:
                     rest.append(item)
                 else:
                     found[named(item)] = next(judge.expected())
             own_script = replace(own_script, expectations=tuple(rest))
-        has_more = not asked or any(name not in found for name in asked)
+        has_more = others > 0
         is_whole = groups == [scope.team]
         if rest or (has_more and is_whole):
-            judge = search_in(scope, own_script, share(1 if is_whole or not has_more else 2))
+            now, later = len(rest), len(timed)
+            now, later = (now + others, later) if is_whole else (now, later + others)
+            judge = search_in(scope, own_script, share((now + later) / max(1, now)))
             assert judge is not None
             given = judge.results() if is_whole else judge.expected()
-            found |= {item.name: with_times(item, scope) for item in given}
-        for item in () if script is None else of_scope(script, scope).expectations:
-            name = named(item)
-            if script is not None and (not asked or name in asked) and asks_for_times(item, found.get(name)):
-                one = replace(script, expectations=(item,))
-                judge = search_in(scope, one, share(2), about=asked_by(one), times=Times(horizon))
-                assert judge is not None
-                found[name] = next(judge.expected())
+            found |= {item.name: with_times(item, scope, later) for item in given}
+        timed = [item for item in wanted if asks_for_times(item, found.get(named(item)))]
+        others = 0 if is_whole else others
+        for number, item in enumerate(timed):
+            assert script is not None
+            one = replace(script, expectations=(item,))
+            limits_now = share(len(timed) - number + others)
+            judge = search_in(scope, one, limits_now, about=asked_by(one), times=Times(horizon))
+            assert judge is not None
+            found[named(item)] = next(judge.expected())
         yield from found.values()
         if has_more and not is_whole:
-            parts: list[Result] = []
+            about_groups: list[Result] = []
             reached: list[Reached] = []
             for number, group in enumerate(groups):
                 part = replace(scope, team=group)
                 judge = search_in(part, None, share(len(groups) - number))
                 assert judge is not None
-                parts += [with_times(item, part) for item in judge.results()]
+                later = len(groups) - number - 1
+                about_groups += [with_times(item, part, later) for item in judge.results()]
                 reached.append(judge.reached)
-            yield from _together(parts, reached, scope)
+            yield from _together(about_groups, reached, scope)
+
+
+class _Purse:
+    """The time of all searches of a scope. What becomes of their results takes none of it."""
+
+    def __init__(self, limits: Limits) -> None:
+        self._limits = limits
+        self._left = limits.seconds
+
+    def share(self, parts: float) -> Limits:
+        """What is left, divided by so many: who needs less leaves more to those that come later."""
+        return replace(self._limits, seconds=max(0.0, self._left) / parts)
+
+    def spend(self, search: Callable[P, T], *arguments: P.args, **named: P.kwargs) -> T:
+        """What a search finds."""
+        before = process_time()
+        found = search(*arguments, **named)
+        self._left -= process_time() - before
+        return found
 
 
 def _together(parts: Sequence[Result], reached: Sequence[Reached], scope: Scope) -> Iterator[Result]:

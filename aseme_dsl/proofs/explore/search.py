@@ -25,6 +25,11 @@ class Limits:
     queue: int = 4
     """So many agent messages, at the most, are on their way from one agent to another; half of topics."""
 
+    @property
+    def time(self) -> str:
+        """The seconds for people, as a share of a budget is no round number: `0.43 s`, `12 s`."""
+        return f"{self.seconds:.2g} s" if self.seconds < 10 else f"{self.seconds:.0f} s"
+
 
 @dataclass(frozen=True, slots=True)
 class Step:
@@ -208,7 +213,7 @@ class _Search:
         if len(self._graph.parents) >= self._limits.states:
             return f"{self._limits.states} states"
         if process_time() > self._until:
-            return f"{self._limits.seconds:g} s"
+            return self._limits.time
         return None
 
     def _expand(self, state: int) -> None:

@@ -116,7 +116,7 @@ class _Search:
             elif len(graph.parents) >= self._limits.states:
                 graph.cut = f"{self._limits.states} states"
             elif process_time() > self._until:
-                graph.cut = f"{self._limits.seconds:g} s"
+                graph.cut = self._limits.time
             if graph.cut is not None:
                 break
             if place not in self._crowded:

@@ -1,0 +1,49 @@
+"""`asemec prove` shares its budget: each question gets its part, and the time that one leaves goes on."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import pytest
+
+from tests.cli.support import Here
+
+COUNTING = """\
+system Counting
+srm robot {
+  var n : int
+  var m : int
+  liveness { robot = One+ || Two+ || (Wait . Go) }
+  activities { Wait waits }
+  control robot {
+    leave One : [n == 9000]  repeat One : else / n = n + 1
+    leave Two : [m == 9000]  repeat Two : else / m = m + 1
+    enter Go : after(1s)
+  }
+}
+team T { one : robot }
+property "deep"     { never (one in Go and one has [n == 8999] and one has [m == 8998]) }
+property "in time"  { every one in Wait leads to one in Go within 1s }
+property "deeper"   { never (one in Go and one has [n == 8998] and one has [m == 8999]) }
+property "at first" { no one in Go before 1s }
+"""
+
+
+@pytest.mark.parametrize("asked", [(), ("deep", "at first", "deeper", "in time")])
+def test_no_question_is_left_without_time(here: Here, folder: Path, asked: tuple[str, ...]) -> None:
+    (folder / "it.aseme").write_text(COUNTING)
+    found = here("prove", "it.aseme", *asked, "--budget", "1s", "--json").json["results"]
+    parts = {item["name"]: re.search(r"cut after ([0-9.]+) s", item["reason"]) for item in found}
+    for name in ("deep", "in time", "deeper", "at first"):
+        part = parts[name]
+        assert part is not None and float(part[1]) >= 0.05, found
+
+
+def test_what_one_question_leaves_goes_to_the_others(here: Here, folder: Path) -> None:
+    few = [f'property "{number}" {{ never one has [n > {number}] }}\n' for number in range(3, 60)]
+    (folder / "it.aseme").write_text(COUNTING.replace("9000", "3") + "".join(few))
+    found = here("prove", "it.aseme", "3", "59", "at first", "--budget", "20s", "--json").json["results"]
+    assert {item["name"]: item["verdict"] for item in found} == dict.fromkeys(
+        ("3", "59", "at first"), "PROVED"
+    ), found
