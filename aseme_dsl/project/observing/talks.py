@@ -112,7 +112,7 @@ class _Last(NamedTuple):
 
 
 _Step = tuple[tuple[str, "str | None", tuple[str, str], int], Belief, Belief]
-"""A performative, a type, the parts, how many receivers; what is believed of the sender, and of each receiver."""
+"""A performative, a type, the parts, how many receivers; beliefs about the sender and about each receiver."""
 
 
 @dataclass(slots=True)

@@ -27,7 +27,7 @@ class Limits:
 
     @property
     def time(self) -> str:
-        """The seconds for people, as a share of a budget is no round number: `0.43 s`, `12 s`."""
+        """The seconds with two digits: `0.43 s`, `12 s`."""
         return f"{self.seconds:.2g} s" if self.seconds < 10 else f"{self.seconds:.0f} s"
 
 
