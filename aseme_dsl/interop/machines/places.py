@@ -141,7 +141,7 @@ def region_in(node: Node, parallel: Node) -> Node:
 
 
 def is_begun_at(node: Node, state: Node, known: dict[str, Node]) -> bool:
-    """Whether entering a state without more ado enters the other one, too."""
+    """Whether entering a state enters the other one, too, and nothing is done on the way."""
     while node is not state:
         if is_and(node):
             regions = [child for child in inner(node) if child is state or is_inside(state, child)]
@@ -149,7 +149,7 @@ def is_begun_at(node: Node, state: Node, known: dict[str, Node]) -> bool:
                 return False
             node = regions[0]
             continue
-        if len(node.initial) > 1 or not is_composite(node):
+        if len(node.initial) > 1 or node.initial_does or not is_composite(node):
             return False
         first = known[node.initial[0]] if node.initial else first_of(node)
         if first is None or not is_inside(first, node):

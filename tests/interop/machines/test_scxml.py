@@ -252,6 +252,20 @@ def test_several_targets_in_regions_of_one_parallel_state() -> None:
     assert "0.2 -> (0.3.1.3, 0.3.2.3) : go" in imported("m.scxml", text).text
 
 
+def test_a_target_that_is_named_is_not_reached_by_the_transition_of_initial() -> None:
+    """A region that begins at its initial state does what stands there; a target in it is entered without that."""
+    text = machine(
+        '<state id="a"><transition event="go" target="c e"/></state><parallel id="p">'
+        '<transition event="back" target="a"/><state id="r"><initial><transition target="c"><raise event="x"/>'
+        '</transition></initial><state id="c"><transition event="x" target="d"/></state><state id="d">'
+        '<transition event="again" target="c e"/></state></state>'
+        '<state id="s"><state id="f"/><state id="e"/></state></parallel>'
+    )
+    assert imported("m.scxml", text).lost == ()
+    assert active(text, "go")[-2:] == [{"c"}, {"e"}]
+    assert active(text, "go", "x", "again")[-2:] == [{"c"}, {"e"}]
+
+
 def test_a_machine_that_begins_in_several_regions() -> None:
     text = machine(REGIONS).replace("<scxml", '<scxml initial="q3 r2"', 1)
     assert active(text)[-3:] == [{"q3"}, {"r2"}, {"s1"}]
