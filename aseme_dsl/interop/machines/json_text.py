@@ -41,6 +41,12 @@ class Value:
     def is_null(self) -> bool:
         return self.plain is None and self.members is None and self.items is None
 
+    def whole(self) -> object:
+        """The value as Python has it."""
+        if self.members is not None:
+            return {name: value.whole() for name, value in self.members.items()}
+        return self.plain if self.items is None else [value.whole() for value in self.items]
+
     def listed(self) -> tuple[Value, ...]:
         """The items of a list; of anything else that alone."""
         return (self,) if self.items is None else self.items

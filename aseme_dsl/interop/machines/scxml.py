@@ -41,6 +41,32 @@ _LANGUAGES = ("", "ecmascript", "javascript", "jexl", "groovy", "null", "python"
 """The data models whose simple expressions are read: these mean the same in all of them."""
 
 
+_ATTRIBUTES = {
+    tag: frozenset(words.split())
+    for tag, words in {
+        "scxml": "initial name xmlns version datamodel binding schemaLocation",
+        "state": "id initial src",
+        "parallel": "id src",
+        "final": "id src",
+        "history": "id type",
+        "initial": "",
+        "onentry": "",
+        "onexit": "",
+        "transition": "event cond target type",
+        "datamodel": "",
+        "data": "id src expr",
+        "invoke": "type src id",
+        "raise": "event",
+        "log": "label expr",
+        "assign": "location expr",
+        "cancel": "sendid",
+        "script": "src",
+        "if": "cond",
+    }.items()
+}
+"""The attributes that are read. What cannot be taken over as a whole is listed with all its attributes."""
+
+
 def read_scxml(source: Source) -> Machine:
     """The machine of an SCXML text. Raises Unreadable, with the place, for what is not one."""
     document = read_markup(source)
@@ -106,6 +132,7 @@ class _Reader:
             initial=tuple(element.said("initial").split()),
             is_named=bool(name),
         )
+        self.attributes(element)
         if element.tag != "scxml" and element.said("src"):
             self.lost.append(Lost("`src`", "what is in the state stands in another file", element.place))
         if element.said("binding") == "late":
@@ -117,8 +144,18 @@ class _Reader:
                 self.part(node, element, child)
         return node
 
+    def attributes(self, element: Element) -> None:
+        """Note the attributes that say something else than the Recommendation."""
+        for name in sorted(
+            element.attributes.keys() - _ATTRIBUTES.get(element.tag, element.attributes.keys())
+        ):
+            what = f"`{one_line(name)[:60]}` of <{element.tag}>"
+            why = "the language has nothing of the kind"
+            self.lost.append(Lost(what, why, element.place, name in element.prefixed))
+
     def part(self, node: Node, element: Element, child: Element) -> None:
         """What stands in a state besides states."""
+        self.attributes(child)
         match child.tag:
             case "transition":
                 node.moves.append(self.move(child))
@@ -131,16 +168,27 @@ class _Reader:
                 if first is None:
                     raise Unreadable("<initial> has no transition", child.place)
                 node.initial = tuple(first.said("target").split())
+                self.attributes(first)
                 node.initial_does = tuple(self.content(first))
+                for other in child.children:
+                    if other is not first:
+                        self.lose(other, "<initial> has one transition")
             case "datamodel":
-                for datum in child.named("data"):
-                    self.datum(datum)
+                for datum in child.children:
+                    if datum.tag == "data":
+                        self.datum(datum)
+                    else:
+                        self.lose(datum, "a data model has <data>", is_harmless=self.is_foreign(datum))
             case "invoke":
                 name = one_line(child.said("id") or child.said("src") or child.said("type") or "invoke")
                 if node.activity:
                     self.lose(child, "a state performs one activity")
                     return
                 node.activity = name
+                for other in ("src", "type"):
+                    if one_line(child.said(other)) not in ("", name):
+                        what = f"`{other}` of <invoke>"
+                        self.lost.append(Lost(what, f"the activity is called {name}", child.place, True))
                 self.inside(child, "an activity declares what it is given")
             case "script" if element.tag == "scxml":
                 node.entry += tuple(self.script(child))
@@ -159,6 +207,7 @@ class _Reader:
             self.lose(child, why)
 
     def datum(self, element: Element) -> None:
+        self.attributes(element)
         name = one_line(element.said("id"))
         value = one_line(element.said("expr") or element.text)
         if element.said("src"):
@@ -187,6 +236,7 @@ class _Reader:
 
     def content(self, element: Element) -> Iterator[Doing]:
         for child in element.children:
+            self.attributes(child)
             match child.tag:
                 case _ if self.is_foreign(child):
                     yield _other(child, "it is of another namespace")

@@ -30,6 +30,8 @@ _HARMLESS = frozenset(("description", "meta", "tags", "version", "key", "$schema
 _KNOWN = frozenset("id type initial states on always after entry exit invoke onDone context".split())
 LONGEST = 2_000
 """How many characters a target may have."""
+_OF_TRANSITIONS = frozenset(("target", "guard", "cond", "actions", "reenter"))
+_OF_INVOKES = frozenset(("id", "src", "input", "onDone", "onError"))
 _TIME = re.compile(r"[0-9]{1,12}")
 
 
@@ -122,15 +124,13 @@ class _Reader:
     # ---- what stands in a state --------------------------------------------------------------
 
     def content(self, value: Value, node: Node) -> None:
-        for name, found in (value.members or {}).items():
-            if name not in _KNOWN and not found.is_null and not (name == "history" or name == "target"):
-                why = "the language has nothing of the kind"
-                self.lost.append(Lost(f"`{one_line(name)[:60]}`", why, found.place, name in _HARMLESS))
+        self.others(value, _KNOWN | {"history", "target"})
         initial = value.get("initial")
         if initial is not None and node.shape is Shape.STATE:
             target = initial.get("target") or initial
             node.initial = (self.target(target, node, is_initial=True).id,)
             node.initial_does = self.doings(initial.get("actions"))
+            self.others(initial, frozenset(("target", "actions")))
         node.entry = self.doings(value.get("entry"))
         node.exit = self.doings(value.get("exit"))
         invoke = value.get("invoke")
@@ -163,6 +163,7 @@ class _Reader:
                 self.lost.append(Lost("invoke", "a state performs one activity with a name", item.place))
                 continue
             node.activity = name
+            self.others(item, _OF_INVOKES)
             given = item.get("input")
             if given is not None:
                 self.lost.append(Lost("input", "an activity declares what it is given", given.place))
@@ -185,7 +186,7 @@ class _Reader:
             targets = [self.target(one, node) for one in target.listed()] if target is not None else []
             stays = all(other is node or is_inside(other, node) for other in targets)
             guard, named = self.guard(item.get("guard") or item.get("cond"))
-            self.others(item)
+            self.others(item, _OF_TRANSITIONS)
             node.moves.append(
                 Move(
                     tuple(one_line(event) for event in events),
@@ -199,11 +200,12 @@ class _Reader:
                 )
             )
 
-    def others(self, item: Value) -> None:
+    def others(self, item: Value, known: frozenset[str]) -> None:
+        """Note the members of an object that the language has nothing for."""
         for name, found in (item.members or {}).items():
-            if name not in ("target", "guard", "cond", "actions", "reenter", "description", "meta"):
+            if name not in known and not found.is_null:
                 why = "the language has nothing of the kind"
-                self.lost.append(Lost(f"`{one_line(name)[:60]}`", why, found.place))
+                self.lost.append(Lost(f"`{one_line(name)[:60]}`", why, found.place, name in _HARMLESS))
 
     def target(self, value: Value, node: Node, *, is_initial: bool = False) -> Node:
         """The state that a target names: `#id`, `.child`, `sibling` or `sibling.child`.
@@ -239,7 +241,9 @@ class _Reader:
         if value is None:
             return "", ""
         kind = value.get("type")
-        return None, one_line(kind.text if kind is not None else value.text) or "a guard"
+        return None, _with_parameters(
+            one_line(kind.text if kind is not None else value.text), value
+        ) or "a guard"
 
     def doings(self, value: Value | None) -> tuple[Doing, ...]:
         return tuple(self.doing(item) for item in value.listed()) if value is not None else ()
@@ -251,11 +255,20 @@ class _Reader:
         event = given.get("event")
         said = (event.get("type") or event).text if event is not None else ""
         if name in ("raise", "xstate.raise") and said and given.get("delay") is None:
+            if event is not None and event.members is not None:
+                self.others(event, frozenset(("type",)))
             return Raising(one_line(said), value.place)
         if name in ("log", "xstate.log"):
-            return Noting("log", value.place)
+            return Noting(_with_parameters("log", value), value.place)
+        name = _with_parameters(one_line(name), value)
         why = "an action of the program: an activity does it, or an assignment"
         return Other(name or "an action", why, value.place)
+
+
+def _with_parameters(name: str, value: Value) -> str:
+    """The name of a guard or an action, and what it is given."""
+    given = value.get("params")
+    return name if given is None else f"{name} {one_line(json.dumps(given.whole()))}"[:300].strip()
 
 
 __all__ = ["read_xstate"]

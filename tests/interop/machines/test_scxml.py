@@ -197,6 +197,20 @@ PARALLEL = (
             "nothing raises",
         ),
         (machine('<state id="a"/>', '<data id="x" expr="[1]"/>'), Fate.LEFT_OUT, "its first value"),
+        (machine('<state id="a"/>', '<thing id="x"/>'), Fate.LEFT_OUT, "<thing>"),
+        (
+            machine('<state id="a"><invoke id="i" namelist="n"/></state>'),
+            Fate.LEFT_OUT,
+            "`namelist` of <invoke>",
+        ),
+        (machine('<state id="a"><invoke id="i" src="f.scxml"/></state>'), Fate.CHANGED, "`src` of <invoke>"),
+        (machine('<state id="a"><onentry delay="1s"/></state>'), Fate.LEFT_OUT, "`delay` of <onentry>"),
+        (machine('<state id="a"><transition event="x" every="1s"/></state>'), Fate.LEFT_OUT, "`every` of"),
+        (
+            machine('<state id="a"><onexit><raise event="x" data="1"/></onexit></state>'),
+            Fate.LEFT_OUT,
+            "`data`",
+        ),
     ],
 )
 def test_what_cannot_be_said_is_named_with_its_place(text: str, fate: Fate, words: str) -> None:
@@ -253,11 +267,11 @@ def test_several_targets_in_regions_of_one_parallel_state() -> None:
 
 
 def test_a_target_that_is_named_is_not_reached_by_the_transition_of_initial() -> None:
-    """A region that begins at its initial state does what stands there; a target in it is entered without that."""
+    """What stands in <initial> is done where a region begins by itself, not where a target in it is named."""
     text = machine(
         '<state id="a"><transition event="go" target="c e"/></state><parallel id="p">'
-        '<transition event="back" target="a"/><state id="r"><initial><transition target="c"><raise event="x"/>'
-        '</transition></initial><state id="c"><transition event="x" target="d"/></state><state id="d">'
+        '<transition event="back" target="a"/><state id="r"><initial><transition target="c">'
+        '<raise event="x"/></transition></initial><state id="c"><transition event="x" target="d"/></state><state id="d">'
         '<transition event="again" target="c e"/></state></state>'
         '<state id="s"><state id="f"/><state id="e"/></state></parallel>'
     )

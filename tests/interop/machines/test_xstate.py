@@ -93,6 +93,12 @@ def test_a_transition_of_the_outermost_state_has_a_state_around_it() -> None:
         ({"entry": "beep", "on": {"go": "s"}}, Fate.LEFT_OUT, "beep"),
         ({"after": {"DELAY": "s"}}, Fate.LEFT_OUT, "after DELAY"),
         ({"activities": "x"}, Fate.LEFT_OUT, "`activities`"),
+        ({"entry": {"type": "inc", "params": {"by": 2}}, "on": {"go": "s"}}, Fate.LEFT_OUT, 'inc {"by": 2}'),
+        ({"on": {"go": {"guard": {"type": "over", "params": {"n": 2}}}}}, Fate.HOLE, 'over {"n": 2}'),
+        ({"invoke": {"src": "f", "onSnapshot": {"actions": "x"}}}, Fate.LEFT_OUT, "`onSnapshot`"),
+        ({"exit": {**PING, "event": {"type": "PING", "at": 3}}, "on": {"go": "r"}}, Fate.LEFT_OUT, "at"),
+        ({"on": {"go": {"target": "r", "description": "why"}}}, Fate.CHANGED, "`description`"),
+        ({"initial": {"target": "q", "params": 3}, "states": {"q": {}}}, Fate.LEFT_OUT, "`params`"),
     ],
 )
 def test_what_cannot_be_said_is_named_with_its_place(state: dict[str, Any], fate: Fate, words: str) -> None:
