@@ -271,8 +271,8 @@ def test_a_target_that_is_named_is_not_reached_by_the_transition_of_initial() ->
     text = machine(
         '<state id="a"><transition event="go" target="c e"/></state><parallel id="p">'
         '<transition event="back" target="a"/><state id="r"><initial><transition target="c">'
-        '<raise event="x"/></transition></initial><state id="c"><transition event="x" target="d"/></state><state id="d">'
-        '<transition event="again" target="c e"/></state></state>'
+        '<raise event="x"/></transition></initial><state id="c"><transition event="x" target="d"/></state>'
+        '<state id="d"><transition event="again" target="c e"/></state></state>'
         '<state id="s"><state id="f"/><state id="e"/></state></parallel>'
     )
     assert imported("m.scxml", text).lost == ()
