@@ -185,9 +185,9 @@ class _Reader:
                     self.lose(child, "a state performs one activity")
                     return
                 node.activity = name
-                for other in ("src", "type"):
-                    if one_line(child.said(other)) not in ("", name):
-                        what = f"`{other}` of <invoke>"
+                for attribute in ("src", "type"):
+                    if one_line(child.said(attribute)) not in ("", name):
+                        what = f"`{attribute}` of <invoke>"
                         self.lost.append(Lost(what, f"the activity is called {name}", child.place, True))
                 self.inside(child, "an activity declares what it is given")
             case "script" if element.tag == "scxml":
