@@ -189,13 +189,13 @@ class Post(Transport):
     ) -> None:
         state = self.state
         sender, sequence = identity
-        payload = encoded(state, sender, channel, message)
+        what = channel.split(".", 2)[1]
+        payload = encoded(state, sender, channel, message, in_order=what != "data")
         if payload is None:
             return
         envelope = state.envelope(
             envelopes.MESSAGE, sequence, state.origin + moment, channel=channel, host=host or ""
         )
-        what = channel.split(".", 2)[1]
         sent = Sent(channel.replace(".", "/"), envelope, payload, sender, what)
         key = (what, channel, host or "")
         with state.lock:

@@ -21,8 +21,12 @@ from aseme_dsl.runtime.transport.port import TransportError
 
 _LARGEST = 1 << 20
 """The largest file of a certificate, a key, a password or rules, in bytes."""
-LARGEST = 64 << 20
-"""The largest message that travels between robots, in bytes: a larger one is not sent, nor put together."""
+LARGEST = 8 << 20
+"""The largest message that travels between robots, in bytes: a larger one is not sent, nor put together.
+
+A large one delays the signals of the same robots: by 0.3 s at 8 MiB, and by 1.5 s at 60 MiB, was measured."""
+LARGEST_IN_ORDER = 4 << 20
+"""The largest of those that others wait for: of signals, states and agent messages."""
 _ENVELOPE = 1 << 20
 LEASE_MS = 2000
 """How long, in ms, a peer may be silent before it counts as gone."""

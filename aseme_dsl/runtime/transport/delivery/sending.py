@@ -13,6 +13,7 @@ from aseme_dsl.runtime.transport.delivery.reports import OVERFLOW, lose
 from aseme_dsl.runtime.transport.delivery.state import Delivery
 from aseme_dsl.runtime.transport.envelope import Envelope
 from aseme_dsl.runtime.transport.link import Stamp
+from aseme_dsl.runtime.transport.settings import LARGEST_IN_ORDER
 from aseme_dsl.runtime.transport.stream import Letter
 
 if TYPE_CHECKING:
@@ -23,13 +24,23 @@ UNKNOWN = "it is of another build, which does not have its sender"
 REPLACED = "a newer one took its place before it could be sent"
 
 
-def encoded(state: Delivery, sender: str, what: str, message: object) -> bytes | None:
-    """The payload of a message; None, after telling why, if it cannot travel."""
+def encoded(state: Delivery, sender: str, what: str, message: object, in_order: bool = True) -> bytes | None:
+    """The payload of a message; None, after telling why, if it cannot travel.
+
+    What must arrive `in_order` is smaller: all that the sender says to the same receivers waits for it.
+    """
     try:
-        return state.codec.encode(message)
+        payload = state.codec.encode(message)
     except WireError as problem:
-        state.team.trace.fault(state.now(), sender, f"{what} cannot be sent to other robots: {problem}")
-        return None
+        reason = str(problem)
+    else:
+        if not in_order or len(payload) <= LARGEST_IN_ORDER:
+            return payload
+        reason = (
+            f"it has {len(payload)} bytes, and at the most {LARGEST_IN_ORDER} travel here, unless as data"
+        )
+    state.team.trace.fault(state.now(), sender, f"{what} cannot be sent to other robots: {reason}")
+    return None
 
 
 def dispatch(
