@@ -60,3 +60,28 @@ def test_a_formula_that_is_wrong_is_a_comment(tmp_path: Path) -> None:
     assert any("bass-player" in element for element in holes)
     analysis = analyse("x.aseme", {"x.aseme": text_of(project)})
     assert analysis.system is not None, render_text(analysis.diagnostics)
+
+
+def test_a_protocol_that_cannot_be_written_is_a_comment_and_keeps_no_other_model_away(tmp_path: Path) -> None:
+    lines = CLUB[2].read_text("utf-8").replace("Count.(verse)+", "Count.^2")
+    alone = '<protocols name="dance" participants="//@participants.2 //@participants.1"/></AIP:AIPmodel>'
+    aip = model(tmp_path, lines.replace("</AIP:AIPmodel>", alone), "club.aip")
+    project = import_models([*CLUB[:2], aip, CLUB[3]])
+    assert not project.diagnostics, render_text(project.diagnostics)
+    text = text_of(project)
+    assert "// aip song {" in text and "// aip dance {" in text and "plays song" not in text
+    assert set(compiled(project, tmp_path)) == {"singer", "bass_player"}
+    holes = {row.element: row.now for row in project.rows if row.fate is Fate.HOLE}
+    assert holes.keys() >= {"protocol song", "protocol dance", "participant dancer", "participant lead"}
+    assert "has no process" in holes["protocol dance"]
+
+
+def test_a_goal_without_an_actor_is_left_out(tmp_path: Path) -> None:
+    text = CLUB[0].read_text("utf-8")
+    text = text.replace("</SAG:", '<actors/><goals name="lost goal"/></SAG:')
+    project = import_models([model(tmp_path, text, "club.sag")])
+    assert "lost_goal" not in text_of(project)
+    assert [row.element for row in project.rows if row.fate is Fate.LEFT_OUT] == [
+        "goal orphan",
+        "goal lost goal",
+    ]

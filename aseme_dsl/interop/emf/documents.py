@@ -124,7 +124,7 @@ class _Writer:
         for name in owners:
             self.lines.append(f"  actor {self.name(name)} {{")
             for goal in self.found.goals:
-                if goal.depender == name:
+                if goal.depender and goal.depender == name:
                     others = [self.name(other) for other in goal.dependees if other != name]
                     depends = f" depends on {', '.join(others)}" if others else ""
                     text = f"    goal {self.name(goal.name)}{depends}{_quoted(goal.text)}"
@@ -158,7 +158,27 @@ class _Writer:
             self.rows.append(Row(Fate.CHANGED, f"participant {member.name}", member.place, now))
 
     def _aip(self, protocol: ForeignProtocol) -> None:
+        """A protocol. If the compiler refuses what no line of its own says, all of it is a comment."""
         name = self.name(protocol.name)
+        key = f"aip.{name}"
+        before, self.lines, keys, self.keys = self.lines, [], self.keys, {}
+        rows = len(self.rows)
+        self._whole_aip(protocol, name)
+        lines, own = self.lines, self.keys
+        self.lines, self.keys = before, keys
+        problem = self.documents.problems.get(key)
+        if problem is None:
+            self.keys |= {len(before) + number: own.get(number, key) for number in range(len(lines))}
+            self.lines += lines
+            return
+        self.lines += [f"// {line}" for line in lines]
+        self.rows[rows:] = [row for row in self.rows[rows:] if row.fate is Fate.HOLE]
+        self.rows.append(Row(Fate.HOLE, f"protocol {protocol.name}", protocol.place, f"{problem}; a comment"))
+        for member in protocol.participants:
+            now = f"a comment, as all of {name}"
+            self.rows.append(Row(Fate.HOLE, f"participant {member.name}", member.place, now))
+
+    def _whole_aip(self, protocol: ForeignProtocol, name: str) -> None:
         self.lines.append(f"aip {name} {{")
         self._row("protocol", protocol.name, protocol.place, f"aip {name}")
         outcomes: dict[str, Span] = {}
@@ -253,6 +273,8 @@ class _Writer:
         """The participants that a role plays: its formulas name them, with the protocol's own process."""
         places: dict[str, list[tuple[str, str]]] = {}
         for protocol in self.found.protocols:
+            if f"aip.{self.name(protocol.name)}" in self.documents.problems:
+                continue
             for member in protocol.participants:
                 process = formula_text(member.liveness[0].text, self.name) if member.liveness else None
                 if process:
