@@ -8,6 +8,14 @@ import pytest
 
 from tests.cli.support import Here
 
+ACCEPTANCE = Path(__file__).parents[1] / "acceptance" / "kouretes.aseme"
+COACH = """
+srm coach {
+  liveness { coach = AssignRoles~ }
+  activities { AssignRoles takes 1s writes team.state.Assignment }
+}
+"""
+"""One agent says who is what."""
 EXAMPLE = Path(__file__).parents[2] / "examples" / "robocup" / "kouretes.aseme"
 
 LEASE = "age(team.state.Assignment) < 1200ms"
@@ -27,6 +35,25 @@ def asked(here: Here, folder: Path, *changes: str) -> str:
     done = here("prove", "kouretes.aseme", "one center", "--budget", "600ms", "--robots", "5")
     assert "one center of team" in done.out, done.out + done.err
     return done.out.splitlines()[0]
+
+
+@pytest.mark.parametrize("players", [2, 4])
+def test_two_centers_of_the_acceptance_file(here: Here, folder: Path, players: int) -> None:
+    """Who hears of an assignment, in which order and when, is open: so two robots may follow two of them."""
+    text = ACCEPTANCE.read_text("utf-8").partition("// ---- deployment")[0]
+    robots = [f"robot{number}" for number in range(1, players + 1)]
+    numbers = "".join(
+        f"  assume robot{number} has [my.state.Identity.number == {number}]\n"
+        for number in range(1, players + 1)
+    )
+    (folder / "kouretes.aseme").write_text(
+        f"{text}{COACH}\nteam Kouretes {{ {', '.join(robots)} : player  bench : coach }}\n"
+        f'property "one center" {{\n{numbers}  at most one center\n}}\n'
+    )
+    done = here("prove", "kouretes.aseme", "one center", "--robots", str(players), "--budget", "30s")
+    assert done.out.startswith("REFUTED   one center of team"), done.out + done.err
+    assert f"{players} player, 1 coach" in done.out
+    assert int(done.out.split(" states]")[0].split()[-1]) < 400
 
 
 def test_five_robots_never_both_believe_to_be_the_center(here: Here, folder: Path) -> None:

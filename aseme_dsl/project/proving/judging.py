@@ -334,6 +334,7 @@ class Judge:
             ]
             parts.append("all times" if times.horizon is None else f"the first {readable(times.horizon)}")
         parts += [f"at most {most} of {len(names)} crash" for most, names in self._assumed.crashes if names]
+        parts += [text for agent, _ in self._scope.team for text in self._assumed.held.get(agent, ())]
         if graph.is_queue_cut:
             queue = self._limits.queue
             parts.append(f"at most {queue} messages ({queue // 2} of topics) on one way")

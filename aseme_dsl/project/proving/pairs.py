@@ -17,7 +17,7 @@ from typing import Union, cast, get_origin
 from aseme_dsl.amola import expression as e
 from aseme_dsl.amola.srm import Guarantee
 from aseme_dsl.play.promises import is_on, is_so
-from aseme_dsl.play.scenario import Breached, Expectation, InPlaces, Script, ValueAssumed
+from aseme_dsl.play.scenario import Breached, Expectation, InPlaces, Script
 from aseme_dsl.project.proving.results import Bounds, Result, Verdict
 from aseme_dsl.project.proving.scopes import Scope
 from aseme_dsl.project.proving.watched import named
@@ -87,7 +87,6 @@ class _Pairs:
         self._promises = [
             (item.activity, item.guarantee) for item in script.conditions if isinstance(item, Breached)
         ]
-        self._script = script
         self._states = 0
         self._used: dict[str, None] = {}
         """What the proof assumes, for readers."""
@@ -183,15 +182,10 @@ class _Pairs:
 
     # ---- one agent alone ---------------------------------------------------------------------
 
-    def _fixed(self, agent: str) -> dict[str, dict[Path, object]]:
+    def _fixed(self, agent: str) -> Mapping[str, Mapping[Path, object]]:
         """The members of messages that are assumed to hold one value at an agent."""
-        found: dict[str, dict[Path, object]] = {}
-        for item in self._script.assumptions:
-            if isinstance(item, ValueAssumed) and item.agent == agent:
-                for channel, path, value in _equal(item.value):
-                    found.setdefault(channel, {})[path] = value
-                    self._used[" ".join(item.span.text.split())] = None
-        return found
+        self._used.update((text, None) for text in self._given.held.get(agent, ()))
+        return self._given.has.get(agent, {})
 
     def _explored(
         self, agent: str, labels: frozenset[str], alone: Alone, eyes: Eyes, timed: bool
@@ -412,14 +406,14 @@ def _differ(one: _Fact, other: _Fact) -> bool:
     return any(path in known and known[path] != value for path, value in other.members)
 
 
-def _equal(value: e.Value) -> Iterator[tuple[str, Path, object]]:
+def equal_in(value: e.Value) -> Iterator[tuple[str, Path, object]]:
     """The members that have to be equal to a constant for a condition to be true."""
     match value:
         case e.Named(expression=inner):
-            yield from _equal(inner)
+            yield from equal_in(inner)
         case e.Logic(operator="&&", operands=parts):
             for part in parts:
-                yield from _equal(part)
+                yield from equal_in(part)
         case e.Compare(operator="==", left=left, right=right):
             for member, constant in ((left, right), (right, left)):
                 if isinstance(member, e.Member) and member.host is None and isinstance(constant, e.Literal):
@@ -456,4 +450,4 @@ def _names_senders(plan: Plan) -> bool:
     return False
 
 
-__all__ = ["by_pairs"]
+__all__ = ["by_pairs", "equal_in"]

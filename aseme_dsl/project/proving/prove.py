@@ -20,15 +20,17 @@ from aseme_dsl.play.scenario import (
     DurationAssumed,
     Expectation,
     FailuresAssumed,
+    InPlaces,
     NetworkAssumed,
     PaceAssumed,
     Script,
+    ValueAssumed,
 )
 from aseme_dsl.project.building.build import choose
 from aseme_dsl.project.building.project import Compiled, compile_root, options_of
 from aseme_dsl.project.playing.operate import generate_version, loaded_for
 from aseme_dsl.project.proving.judging import Judge, Reached, Times, asks_for_times, dead_states
-from aseme_dsl.project.proving.pairs import by_pairs
+from aseme_dsl.project.proving.pairs import by_pairs, equal_in
 from aseme_dsl.project.proving.results import Bounds, Result, Verdict
 from aseme_dsl.project.proving.scopes import Scope, scopes_of
 from aseme_dsl.project.proving.watched import (
@@ -44,7 +46,9 @@ from aseme_dsl.proofs.explore.apart import groups_of
 from aseme_dsl.proofs.explore.explored import Assumed, Explored
 from aseme_dsl.proofs.explore.needed import Asked
 from aseme_dsl.proofs.explore.search import Eyes, Limits, search
+from aseme_dsl.proofs.guide import Guide
 from aseme_dsl.proofs.timed.search import Watching, search_with_times
+from aseme_dsl.runtime.monitor.rules import Never
 from aseme_dsl.runtime.trace.trace import Listener
 from aseme_dsl.runtime.version.loading import Loaded
 
@@ -79,7 +83,7 @@ def prove(
     """
     assert compiled.system is not None
     found: list[Result] = []
-    known: list[str] = []
+    known: dict[str, str] = {}
     for scope in scopes_of(compiled.root, compiled.system, robots):
         if only and scope.what not in only:
             continue
@@ -87,6 +91,8 @@ def prove(
         found += _explored(scope, compiled, limits, asked, known, horizon)
         if scope.protocol is None:
             found += _left_out(scope, compiled, found)
+            if asked and all(known.get(name, "").startswith("property") for name in asked):
+                break  # these are about the team
     names = dict.fromkeys((*known, *(item.name for item in found)))
     missing = next((name for name in asked if name not in names), None)
     if missing is not None and not only:
@@ -96,7 +102,7 @@ def prove(
 
 def prove_alone(scope: Scope, compiled: Compiled, limits: Limits) -> tuple[Result, ...]:
     """All answers about one team, or about a protocol alone. Raises OperateError, LoadError: see `prove`."""
-    return tuple(_explored(scope, compiled, limits, (), [], None))
+    return tuple(_explored(scope, compiled, limits, (), {}, None))
 
 
 def _explored(
@@ -104,10 +110,11 @@ def _explored(
     compiled: Compiled,
     limits: Limits,
     asked: Sequence[str],
-    known: list[str],
+    known: dict[str, str],
     horizon: int | None,
 ) -> Iterator[Result]:
-    """The answers about one team; the names of its properties and clauses are added to `known`."""
+    """The answers about one team; the names of its properties and clauses are added to `known`,
+    with what they are."""
     own = compiled if scope.protocol is None else compile_root(scope.root)
     if own.system is None:
         wrong = next(item for item in own.diagnostics if item.severity is Severity.ERROR)
@@ -139,7 +146,7 @@ def _explored(
         found: dict[str, Result] = {}
         rest: list[Expectation] = []
         expected = () if own_script is None else own_script.expectations
-        known += map(named, expected)
+        known |= {named(item): item.of for item in expected}
         wanted = [item for item in expected if not asked or named(item) in asked]
         timed = [item for item in wanted if is_timed(item.rule)]
         untimed = [item for item in wanted if not is_timed(item.rule)]
@@ -266,10 +273,11 @@ def _searched(
     if watch is not None:  # the number of the only one, or of those that were asked for
         wanted = (0,) if about is not None else watch.numbers_of(asked)
     is_all = about is not None or 0 < len(asked) == len(wanted)
+    far = None if script is None or about is None else _guess(script, explored)
     if times is not None:
         watching = Watching()
         if watch is not None:
-            watching = Watching(watch.monitors, watch.dues, watch.begin_moment)
+            watching = Watching(watch.monitors, watch.dues, watch.begin_moment, far=far)
         graph = search_with_times(explored, eyes, watching, limits, times.horizon)
     else:
         graph = search(
@@ -278,8 +286,21 @@ def _searched(
             None if watch is None else watch.monitors,
             limits,
             lambda graph: is_all and graph.broken.keys() >= set(wanted),
+            far,
         )
     return Judge(scope, explored, graph, watch, assumed, limits, system, loaded, times)
+
+
+def _guess(script: Script, explored: Explored) -> Callable[[], int] | None:
+    """How many moves may be left until the only expectation of a script is broken, if it is "at most"."""
+    rule = script.expectations[0].rule
+    condition = script.conditions[rule.condition] if isinstance(rule, Never) else None
+    if not isinstance(condition, InPlaces):
+        return None
+    plans = {agent.name: agent.plan for agent in explored.agents}
+    places = {agent: labels for agent, labels in condition.places.items() if agent in plans}
+    guide = Guide(places, condition.least, plans)
+    return lambda: guide.far(explored.agents)
 
 
 def _left_out(scope: Scope, compiled: Compiled, found: Sequence[Result]) -> Iterator[Result]:
@@ -339,7 +360,15 @@ def assumed_by(assumptions: Sequence[Assumption]) -> Assumed:
         for item in assumptions
         if isinstance(item, DurationAssumed)
     }
-    return Assumed(loses, crashes, fails, times, delays[-1] if delays else None, takes)
+    has: dict[str, dict[str, dict[tuple[str, ...], object]]] = {}
+    held: dict[str, tuple[str, ...]] = {}
+    for item in assumptions:
+        if isinstance(item, ValueAssumed):
+            for channel, path, value in equal_in(item.value):
+                has.setdefault(item.agent, {}).setdefault(channel, {})[path] = value
+                text = " ".join(item.span.text.split())
+                held[item.agent] = tuple(dict.fromkeys((*held.get(item.agent, ()), text)))
+    return Assumed(loses, crashes, fails, times, delays[-1] if delays else None, takes, has, held)
 
 
 __all__ = ["NotThere", "assumed_by", "of_scope", "prove", "prove_alone"]

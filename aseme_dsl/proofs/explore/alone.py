@@ -56,16 +56,19 @@ def reads_of(plan: Plan) -> frozenset[str]:
     return frozenset(channel for region in plan.regions for channel in region.reads)
 
 
-def fixed_in(alone: Alone, channels: Iterable[str]) -> dict[tuple[str, Path], object]:
-    """The members of types of messages that hold the same on all of these channels."""
+def fixed_in(reads: Iterable[tuple[str, Mapping[Path, object]]]) -> dict[tuple[str, Path], frozenset[object]]:
+    """The members of types of messages of which it is known what they hold, with all that they do.
+
+    `reads` are channels that agents read, with what is known of messages there.
+    """
     of_type: dict[str, list[Mapping[Path, object]]] = {}
-    for channel in channels:
-        of_type.setdefault(channel.rpartition(".")[2], []).append(alone.fixed.get(channel, {}))
+    for channel, known in reads:
+        of_type.setdefault(channel.rpartition(".")[2], []).append(known)
     return {
-        (kind, path): value
+        (kind, path): frozenset(other[path] for other in held)
         for kind, held in of_type.items()
-        for path, value in held[0].items()
-        if all(path in other and other[path] == value for other in held)
+        for path in held[0]
+        if all(path in other for other in held)
     }
 
 

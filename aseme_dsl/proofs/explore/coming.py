@@ -32,10 +32,12 @@ class Coming:
         later: Later,
         of_modules: Collection[str],
         told: Collection[str],
+        has: Mapping[str, Mapping[str, Mapping[tuple[str, ...], object]]],
         alone: Alone | None = None,
     ) -> None:
         """Modules publish on the channels `of_modules`. Of messages of the types `told`, something else asks
-        what they say, or when they come."""
+        what they say, or when they come. `has` says what their members hold, by agent and channel, as far as
+        that is known."""
         self._agents = agents
         self._bus = bus
         self._choices = choices
@@ -44,6 +46,7 @@ class Coming:
         self._of_modules = frozenset(of_modules)
         self._plans = list({agent.role: agent.plan for agent in agents}.values())
         self._kept = frozenset(told).union(*map(copied, self._plans))
+        self._has = has
         self._alone = alone
         self.needed: Needed | None = None
         """The regions that matter, if not all do."""
@@ -193,8 +196,8 @@ class Coming:
         if self._choices.of(("come", name, channel), (None, True), f"{name}: {message} has come"):
             agent = next(item for item in self._agents if item.name == name)
             is_own = bool(self.brief[name][channel])
-            fixed = self._fixed(channel)
-            content = self._contents.new(message, ("input",), "{}", f"{name}: {message}", fixed)
+            fixed = self._has[name].get(channel, {})
+            content = self._contents.new(message, ("input",), "{}", f"{name}: {message}", fixed, True)
             identity = agent.identity() if is_own else self._bus.outside()
             now = agent.driver.clock.now()
             item = Sample(channel, content, name if is_own else "input", now, identity)
@@ -257,11 +260,8 @@ class Coming:
     def content(self, agent: Agent, channel: str) -> object:
         """The content of a message that comes to an agent."""
         message = channel.rpartition(".")[2]
-        fixed = self._fixed(channel)
+        fixed = self._has[agent.name].get(channel, {})
         return self._contents.new(message, ("input",), "{}", f"{agent.name}: {message}", fixed)
-
-    def _fixed(self, channel: str) -> Mapping[tuple[str, ...], object]:
-        return {} if self._alone is None else self._alone.fixed.get(channel, {})
 
 
 __all__ = ["Coming"]

@@ -16,6 +16,7 @@ from aseme_dsl.proofs.explore.coming import Coming
 from aseme_dsl.proofs.explore.deciding.acting import Acting, Free
 from aseme_dsl.proofs.explore.deciding.choosing import Choices
 from aseme_dsl.proofs.explore.deciding.later import Contents, Later
+from aseme_dsl.proofs.explore.deciding.outcomes import Outcomes
 from aseme_dsl.proofs.explore.deciding.staging import OPEN, StandsFor, events, lists_of, staged
 from aseme_dsl.proofs.explore.deciding.values import Values
 from aseme_dsl.proofs.explore.memory import Memory, Picture
@@ -64,6 +65,10 @@ class Assumed:
     """How long a message is on its way (ns), if that is assumed."""
     takes: Mapping[str, tuple[int, int]] = field(default_factory=dict)
     """How long activities take (ns), of which that is assumed."""
+    has: Mapping[str, Mapping[str, Mapping[tuple[str, ...], object]]] = field(default_factory=dict)
+    """What members of messages hold at agents, by agent and channel, as far as that is assumed."""
+    held: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    """The same as it is written, by agent."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -134,15 +139,19 @@ class Explored:
         roles = dict.fromkeys(role for _, role in team)
         plans = [loaded.charts[role].PLAN for role in roles]
         self._modules = tuple((plan.name, module) for plan in plans for module in plan.modules)
-        fixed = (
-            {}
-            if alone is None
-            else fixed_in(alone, [channel for plan in plans for channel in reads_of(plan)])
-        )
-        self.values = Values(plans, loaded.messages, names, fixed)
-        self.later = Later(self.choices, self.values)
+        has = {name: assumed.has.get(name, {}) if alone is None else alone.fixed for name in names}
+        known = [
+            (channel, has[name].get(channel, {}))
+            for name, role in team
+            for channel in reads_of(loaded.charts[role].PLAN)
+        ]
+        self.values = Values(plans, loaded.messages, names, fixed_in(known), is_few=alone is not None)
+        self._outcomes = Outcomes(self.choices)
+        self.later = Later(self.choices, self.values, self._outcomes)
         contents = Contents(self.choices, self.values, self.later, loaded.messages, told)
-        self._acting = acting = Acting(self.choices, self.values, contents, plans, self._is_new)
+        self._acting = acting = Acting(
+            self.choices, self.values, contents, plans, self._is_new, self._outcomes
+        )
         acting.publishes = alone is None
         charts = {
             name: staged(
@@ -151,6 +160,7 @@ class Explored:
                 acting.draw,
                 partial(self._look_for, name),
                 with_times,
+                self._outcomes.holds,
             )
             for name, role in team
         }
@@ -174,6 +184,7 @@ class Explored:
             self.later,
             [channel for _, module in self._modules for channel in module.writes],
             told,
+            has,
             alone,
         )
         self._events = {plan.name: events(plan) for plan in plans}
@@ -269,7 +280,10 @@ class Explored:
         for _ in range(SETTLES):
             waiting = [agent for agent in self.agents if agent.intake]
             if not waiting:
+                self._outcomes.mark()
+                self.later.forgotten.clear()
                 self._forget()
+                self.later.settle()
                 return
             for agent in waiting:
                 self._touch(agent.name)
@@ -374,6 +388,7 @@ class Explored:
         self.sent.clear()
         self.came = None
         self._touched.clear()
+        self._outcomes.begin()
         self.coming.begin()
         try:
             self._touch(move.agent)

@@ -163,6 +163,7 @@ class _Retrace:
         """What has written a variable of an agent last."""
         self._ended: dict[str, Acts] = {}
         """The activity of an agent that has ended last."""
+        self._overtaken: list[Underway] = []
         self._about: Acts | None = None
         """What acts in the present move, if an activity does."""
         self._kind: tuple[str, ...] = ()
@@ -227,6 +228,8 @@ class _Retrace:
                 return acts
             case ("arrive" | "lose" as what, sender, receiver, *_):
                 item = cast("Underway", _argument(move))
+                if what == "arrive":
+                    self._overtake(sender, receiver, item)
                 self._add(Arrives(receiver, sender, _what(item), what == "lose"))
             case ("event", agent, event):
                 self._add(Event(agent, event))
@@ -239,6 +242,21 @@ class _Retrace:
             case _:
                 raise NotRetraced(f"no statement says `{move.text}`")
         return None
+
+    def _overtake(self, sender: str, receiver: str, item: Underway) -> None:
+        """A state overtakes others: they come at the same moment, just before it, and make no difference.
+
+        Raises NotRetraced: one that was overtaken comes later.
+        """
+        if item in self._overtaken:
+            raise NotRetraced("a message comes that another one has overtaken")
+        waiting = self._explored.ways.ways[sender, receiver]
+        if item.kind not in ("data", "radio") or item.what.split(".")[1] != "state":
+            return
+        for older in waiting[: waiting.index(item)]:
+            if older.what == item.what and older not in self._overtaken:
+                self._overtaken.append(older)
+                self._add(Arrives(receiver, sender, _what(older), False))
 
     def _execution(self, agent: str, label: str) -> Execution:
         running = [item for item in self._explored.driver.running if item.agent == agent]
@@ -304,6 +322,8 @@ class _Retrace:
                     if given.setdefault((agent, name), value) != value:
                         raise NotRetraced(f"{name} gives two values at one moment")
                     self._put_before(Gives(agent, name.partition("(")[0], value))
+                case ("split", _):
+                    pass  # what it stands for is heard, too
                 case ("age", *_):
                     pass  # its moment makes it old
                 case ("random", str() as agent, _):

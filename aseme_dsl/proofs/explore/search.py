@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import field
+from heapq import heappop, heappush
 from time import process_time
 
 from aseme_dsl.proofs.explore.explored import Circling, Explored, Move
@@ -162,9 +163,47 @@ def search(
     monitors: Monitors | None,
     limits: Limits,
     is_enough: Callable[[Graph], bool] = lambda graph: False,
+    far: Callable[[], int] | None = None,
 ) -> Graph:
-    """All states, or as many as the limits allow, or as are enough."""
-    return _Search(explored, eyes, monitors or Monitors(), limits, is_enough).run()
+    """All states, or as many as the limits allow, or as are enough.
+
+    The nearest are looked at first. If `far` is given, it guesses in each state how many moves are left, and
+    those of which it expects the most come first.
+    """
+    return _Search(explored, eyes, monitors or Monitors(), limits, is_enough, far).run()
+
+
+GREED = 3
+"""So many moves more on the way are as good as one less that is left, by the guess."""
+
+
+class Agenda:
+    """The states that are still to be looked at, in the order in which they are."""
+
+    def __init__(self, far: Callable[[], int] | None) -> None:
+        self._far = far
+        self._waiting: list[tuple[int, int]] = []
+        self._ranks: list[int] = []
+        self._depth: list[int] = []
+
+    def add(self, number: int, before: int | None) -> None:
+        """The team is in a new state, reached from the state `before`."""
+        depth = 0 if before is None else self._depth[before] + 1
+        self._depth.append(depth)
+        self._ranks.append(0 if self._far is None else depth + GREED * self._far())
+        self.put_back(number)
+
+    def put_back(self, number: int) -> None:
+        """There is more to look at in a state."""
+        heappush(self._waiting, (self._ranks[number], number))
+
+    def has_better(self, number: int) -> bool:
+        """Whether another state comes before this one."""
+        return bool(self._waiting) and self._waiting[0][0] < self._ranks[number]
+
+    def take(self) -> int | None:
+        """The next one; None if there is none."""
+        return heappop(self._waiting)[1] if self._waiting else None
 
 
 class _Search:
@@ -175,8 +214,14 @@ class _Search:
         monitors: Monitors,
         limits: Limits,
         is_enough: Callable[[Graph], bool],
+        far: Callable[[], int] | None,
     ) -> None:
         self._is_enough = is_enough
+        self._agenda = Agenda(far)
+        self._begun: dict[int, Iterator[None]] = {}
+        """The states of which some moves have been made."""
+        self._is_elsewhere = False
+        """Whether another state was looked at since the last move of this one."""
         self._explored = explored
         self._eyes = eyes
         self._monitors = monitors
@@ -196,14 +241,12 @@ class _Search:
             graph.sightings.append(Sighting("circling", str(problem), None))
         self._note(None)
         self._look(None)
-        place = 0
-        while place < len(graph.parents):
+        while (place := self._agenda.take()) is not None:
             if reason := self._is_over():
                 graph.cut = reason
                 break
             if place not in self._crowded:
-                self._expand(place)
-            place += 1
+                self._look_at(place)
         graph.met = self._monitors.met()
         return graph
 
@@ -216,8 +259,20 @@ class _Search:
             return self._limits.time
         return None
 
-    def _expand(self, state: int) -> None:
-        """Make every move of a state."""
+    def _look_at(self, state: int) -> None:
+        """Make the moves of a state, until one leads to a state that comes before it."""
+        self._is_elsewhere = state in self._begun
+        begun = self._begun.pop(state, None) or self._expand(state)
+        for _ in begun:
+            if self._is_enough(self._graph):
+                break
+            if self._agenda.has_better(state):
+                self._begun[state] = begun
+                self._agenda.put_back(state)
+                break
+
+    def _expand(self, state: int) -> Iterator[None]:
+        """Make every move of a state, one after another."""
         explored, graph = self._explored, self._graph
         picture = graph.pictures[state]
         explored.take_back(picture)
@@ -229,6 +284,13 @@ class _Search:
             while True:
                 explored.take_back(picture)
                 edges += self._make(state, number, move)
+                kept = explored.choices.kept()
+                yield
+                if self._is_elsewhere:
+                    self._is_elsewhere = False
+                    explored.take_back(picture)
+                    explored.coming.look()
+                    explored.choices.take_back(kept)
                 if not explored.choices.again():
                     break
         graph.edges[state] = tuple(edges)
@@ -288,6 +350,7 @@ class _Search:
             self._crowded.add(number)
         graph.parents.append(before)
         graph.pictures[number] = picture
+        self._agenda.add(number, None if before is None else before[0])
         graph.places.append(tuple(_places(agent) for agent in explored.agents))
         graph.awaited.append(self._monitors.awaited())
         return number
@@ -315,4 +378,4 @@ def _places(agent: Agent) -> tuple[int, ...]:
     return tuple(getattr(chart, f"r{number}") for number in range(len(chart.REGIONS)))
 
 
-__all__ = ["Edge", "Eyes", "Graph", "Limits", "Monitors", "Sighting", "Step", "search"]
+__all__ = ["Agenda", "Edge", "Eyes", "Graph", "Limits", "Monitors", "Sighting", "Step", "search"]

@@ -13,7 +13,7 @@ from collections.abc import Callable, Sequence
 from time import process_time
 
 from aseme_dsl.proofs.explore.explored import Circling, Explored, Move
-from aseme_dsl.proofs.explore.search import Arrival, Eyes, Graph, Limits, Monitors, Sighting, Step
+from aseme_dsl.proofs.explore.search import Agenda, Arrival, Eyes, Graph, Limits, Monitors, Sighting, Step
 from aseme_dsl.proofs.timed.stamp import Mark, Window
 from aseme_dsl.proofs.timed.zone import (
     Zone,
@@ -55,6 +55,8 @@ class Watching:
     begins: Callable[[], None] = lambda: None
     noted: Callable[[Zone], None] = lambda zone: None
     """Called with what is known of times after each move."""
+    far: Callable[[], int] | None = None
+    """A guess how many moves are left until an expectation is broken."""
     stays: Callable[[Zone], None] = lambda zone: None
     """Called in each state, with what is known of times as long as nothing happens."""
 
@@ -94,6 +96,7 @@ class _Search:
         self._limits = limits
         self._horizon = horizon
         self._graph = Graph()
+        self._agenda = Agenda(watching.far)
         self._zones: list[Zone] = []
         self._crowded: set[int] = set()
         self._known: dict[tuple[bytes, tuple[str, ...]], list[_Known]] = {}
@@ -109,8 +112,7 @@ class _Search:
             graph.cut = f"the first step, in which agents step without end: {problem}"
             return graph
         self._note(begun(Zone(), 0), None)
-        place = 0
-        while place < len(graph.parents):
+        while (place := self._agenda.take()) is not None:
             if graph.broken or graph.sightings:
                 graph.cut = "what was asked for is refuted"
             elif len(graph.parents) >= self._limits.states:
@@ -123,7 +125,6 @@ class _Search:
                 self._expand(place)
                 if place:
                     del graph.pictures[place]
-            place += 1
         graph.met = self._monitors.met()
         return graph
 
@@ -247,6 +248,7 @@ class _Search:
             self._crowded.add(number)
         graph.parents.append(before)
         graph.pictures[number] = picture
+        self._agenda.add(number, None if before is None else before[0])
         self._zones.append(zone)
 
 

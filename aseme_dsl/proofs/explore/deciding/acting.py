@@ -9,6 +9,7 @@ from typing import Protocol, cast
 
 from aseme_dsl.proofs.explore.deciding.choosing import Choices
 from aseme_dsl.proofs.explore.deciding.later import Contents, content_of
+from aseme_dsl.proofs.explore.deciding.outcomes import Outcomes
 from aseme_dsl.proofs.explore.deciding.staging import OPEN, assigned, by_lines, receivers, watched
 from aseme_dsl.proofs.explore.deciding.values import Values
 from aseme_dsl.runtime.activity import context as c
@@ -43,11 +44,13 @@ class Acting:
         contents: Contents,
         plans: Sequence[Plan],
         is_new: Callable[[Agent, str], bool],
+        outcomes: Outcomes,
     ) -> None:
         """`is_new` says whether what activities of an agent publish on a channel is there for it whenever it
         looks for it, and for no other agent."""
         self._is_new = is_new
         self._choices = choices
+        self._outcomes = outcomes
         self._values = values
         self._contents = contents
         self._plans = {plan.name: plan for plan in plans}
@@ -216,7 +219,7 @@ class Acting:
         kinds: Mapping[str, tuple[object, ...]] = {"bool": (False, True)}
         answers = kinds.get(result) or self._values.results(name, result)
         text = f"{name.partition('(')[0]}() is {{}}"
-        return self._choices.of(("function", agent, name, repr(arguments)), answers, text)
+        return self._outcomes.of(("function", agent, name, repr(arguments)), answers, text)
 
 
 class Free(Prepared):

@@ -3,17 +3,23 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable
-from types import FunctionType, MemberDescriptorType
+from collections.abc import Callable, Mapping
+from types import CodeType, FunctionType, MemberDescriptorType
 from typing import cast
 
+from aseme_dsl.proofs.explore.deciding.outcomes import codes_of
 from aseme_dsl.runtime.chart.board import Board
 from aseme_dsl.runtime.chart.chart import Chart
 
 
-def methods_of(chart: type[Chart], looked_for: Callable[[str], None]) -> dict[str, object]:
+def methods_of(
+    chart: type[Chart],
+    looked_for: Callable[[str], None],
+    holds: Callable[[Chart, Callable[[], object]], bool] | None = None,
+) -> dict[str, object]:
     """The methods of a chart, with boards that call `looked_for` with a channel when something looks for its
-    newest message and there is none yet. It may put one there."""
+    newest message and there is none yet. It may put one there. `holds` is asked for conditions, as far as
+    they can be given as functions."""
     scope = vars(sys.modules[chart.__module__])
     boards = {
         name: _opened(kind, looked_for)
@@ -21,11 +27,13 @@ def methods_of(chart: type[Chart], looked_for: Callable[[str], None]) -> dict[st
         if isinstance(kind, type) and issubclass(kind, Board) and kind.SLOTS
     }
     known = {**scope, **boards}
-    return {
-        name: FunctionType(method.__code__, known, name, method.__defaults__, method.__closure__)
+    opened: Mapping[str, CodeType] = {} if holds is None else codes_of(cast(type, chart))
+    own: dict[str, object] = {
+        name: FunctionType(opened.get(name) or code, known, name, method.__defaults__, method.__closure__)
         for name, method in vars(chart).items()
-        if isinstance(method, FunctionType)
+        if isinstance(method, FunctionType) and (code := method.__code__)
     }
+    return own if holds is None else {**own, "holds_open": holds}
 
 
 def _opened(kind: type[Board], looked_for: Callable[[str], None]) -> type[Board]:

@@ -61,6 +61,14 @@ class Choices:
         if self.heard is not None:
             self.heard.append((what, value))
 
+    def kept(self) -> tuple[list[int], list[int]]:
+        """Which ways of the move have been taken, to continue with the next one."""
+        return self._script[:], self._widths[:]
+
+    def take_back(self, kept: tuple[list[int], list[int]]) -> None:
+        """Continue with a move of which these ways have been taken."""
+        self._script[:], self._widths[:] = kept
+
     def way(self) -> tuple[int, ...]:
         """The decisions of this way by their numbers: the same again lead to the same state."""
         return tuple(self._script[: self._place])

@@ -8,6 +8,7 @@ from itertools import count
 from typing import cast
 
 from aseme_dsl.proofs.explore.deciding.choosing import Choices
+from aseme_dsl.proofs.explore.deciding.outcomes import Outcomes
 from aseme_dsl.proofs.explore.deciding.unread import Path, Unread, place_of, unread, unread_class
 from aseme_dsl.proofs.explore.deciding.values import Values
 from aseme_dsl.records import dataclass
@@ -40,7 +41,10 @@ _PLAIN = {
 class Later:
     """Makes contents whose members are decided when they are read."""
 
-    def __init__(self, choices: Choices, values: Values) -> None:
+    def __init__(self, choices: Choices, values: Values, outcomes: Outcomes) -> None:
+        self._outcomes = outcomes
+        self.forgotten: dict[int, Container[Path]] = {}
+        """The contents of which something was forgotten in this move, with what was kept."""
         self._choices = choices
         self._values = values
         self._alike: dict[tuple[str, Path], object] = {}
@@ -49,17 +53,21 @@ class Later:
         self.decided = Decided()
         self._kinds: dict[type[object], type[object]] = {}
 
-    def content(self, kind: type[object], tried: Mapping[Path, Sequence[object]], name: str) -> object:
+    def content(
+        self, kind: type[object], tried: Mapping[Path, Sequence[object]], name: str, is_brief: bool = False
+    ) -> object:
         """A new message of this kind. For the members at these paths, one of the values is decided when it is
-        read; the others have their defaults. `name` is what it is, for readers."""
+        read; the others have their defaults. `name` is what it is, for readers. `is_brief`: mostly, it may be
+        another one at the next look."""
         self.decided.made += 1
         self._choices.note(("made", self.decided.made, kind.__name__))
-        return self._open(kind, _Content(self.decided.made, kind, tried, name), ())
+        return self._open(kind, _Content(self.decided.made, kind, tried, name, is_brief), ())
 
     def forget(self, message: object, kept: Container[Path] = ()) -> None:
         """What was decided of a message may be otherwise from now on, but for the members in `kept`."""
         content = content_of(message)
         if content is not None:
+            self.forgotten[content.number] = kept
             self._choices.note(("forgotten", content.number))
             values = self.decided.values
             for key in [key for key in values if key[0] == content.number and key[2] not in kept]:
@@ -88,8 +96,25 @@ class Later:
                 self._noted.add(key[1:])
                 self._values.note(*key[1:])
             text = f"{content.name}.{'.'.join(path)} is {{}}"
+            if content.is_brief and len(answers) > 1 and self._alike[key[1:]] is None:
+                return self._outcomes.of(("member", *key), answers, text)
             values[key] = self._choices.of(("member", *key), answers, text)
         return values[key]
+
+    def settle(self) -> None:
+        """The conditions of this move have been looked at: one of what may be so is so."""
+
+        def is_left(question: Hashable) -> bool:
+            match question:
+                case ("member", int() as number, _, path):
+                    return number not in self.forgotten or path in self.forgotten[number]
+                case _:
+                    return False
+
+        for question, answer in self._outcomes.end(is_left):
+            if is_left(question):
+                _, *key = cast("tuple[str, int, str, Path]", question)
+                self.decided.values[cast("tuple[int, str, Path]", tuple(key))] = answer
 
     def _answers(self, content: _Content, path: Path) -> Sequence[object]:
         """What a member may hold; of numbers that are only compared with each other those that there are, and
@@ -133,6 +158,7 @@ class _Content:
     kind: type[object]
     tried: Mapping[Path, Sequence[object]]
     name: str
+    is_brief: bool
 
 
 def content_of(message: object) -> _Content | None:
@@ -166,15 +192,17 @@ class Contents:
         text: str,
         name: str,
         fixed: Mapping[Path, object] | None = None,
+        is_brief: bool = False,
     ) -> object:
         """A content of a type of message; `name` is what it is, and `text` what is said of one that is
-        decided now, with `{}` for it. The members in `fixed` hold that, if they are decided later."""
+        decided now, with `{}` for it. The members in `fixed` hold that, if they are decided later.
+        `is_brief`: mostly, it may be another one at the next look."""
         tried = None if message in self._told else self._values.tried(message)
         if tried is None:
             return self._choices.of(question, self._values.contents(message), text)
         if fixed:
             tried = {path: (fixed[path],) if path in fixed else some for path, some in tried.items()}
-        return self._later.content(self._messages[message], tried, name)
+        return self._later.content(self._messages[message], tried, name, is_brief)
 
 
 __all__ = ["Contents", "Decided", "Later", "content_of"]

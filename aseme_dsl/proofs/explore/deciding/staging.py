@@ -39,13 +39,14 @@ def staged(
     draw: Callable[[str], float],
     looked_for: Callable[[str], None],
     is_paced: bool,
+    holds: Callable[[Chart, Callable[[], object]], bool],
 ) -> type[Chart]:
     """The chart of a role whose activities all run until they are ended, without modules. If it is not paced,
     a pause between two runs of one counts as part of the run.
 
     What activities may write is open until it is read: `decide` is asked by the names of the agent and the
     variable. `draw` is asked for random numbers. `looked_for` is called with a channel when something looks
-    for a message that is not there.
+    for a message that is not there, and `holds` whether a condition is true.
     """
     plan = replace(
         chart.PLAN,
@@ -61,7 +62,7 @@ def staged(
         ),
         modules=(),
     )
-    own = methods_of(chart, looked_for)
+    own = methods_of(chart, looked_for, lambda chart, condition: holds(chart, condition))
     own["random"] = lambda chart: draw(chart.agent)
     return with_open(chart, plan, own, partial(_opened, decide))
 

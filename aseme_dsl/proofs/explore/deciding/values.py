@@ -68,12 +68,12 @@ class Values:
         plans: Iterable[Plan],
         messages: Mapping[str, type[object]],
         agents: Sequence[str],
-        fixed: Mapping[Place, object] | None = None,
+        fixed: Mapping[Place, frozenset[object]] | None = None,
+        is_few: bool = False,
     ) -> None:
-        """What stands at the places in `fixed` is known; if it is given, as few values as possible are
-        tried."""
-        self.fixed: Mapping[Place, object] = {} if fixed is None else fixed
-        self._is_few = fixed is not None
+        """What may stand at the places in `fixed` is known. `is_few`: as few values as possible are tried."""
+        self.fixed: Mapping[Place, frozenset[object]] = {} if fixed is None else fixed
+        self._is_few = is_few
         self._messages = messages
         self._agents = tuple(agents)
         self._parents: dict[Place, Place] = {}
@@ -362,11 +362,11 @@ class _Reader:
                         known_class.signs |= {(sign, end) for sign in "<>" for end in (constant, -constant)}
                         return True
                 case _ if place is not None and known is not None and known in self.values.fixed:
-                    held = self.values.fixed[known]
-                    for item in (place, known):
-                        self.values.use(item).constants.add(held)
-                        if isinstance(held, int | float):
-                            self.values.use(item).signs |= {(word, held), ("==", held)}
+                    for held in self.values.fixed[known]:
+                        for item in (place, known):
+                            self.values.use(item).constants.add(held)
+                            if isinstance(held, int | float):
+                                self.values.use(item).signs |= {(word, held), ("==", held)}
                     self._term(value, taken)
                     self._term(against, taken)
                     return True
