@@ -207,6 +207,7 @@ LONG = [
     ("faults of activities", ["-m", "pytest", "tests/faults"], {"FAULT_STARTS": "20000"}),
     ("robots on machines", ["-m", "pytest", "tests/security/test_machines.py"], {"MACHINES": "1"}),
     ("robots that cannot be reached", ["-m", "pytest", "-s", "tests/network"], {"NETWORK_RUNS": "10"}),
+    ("a day in the field", ["-m", "pytest", "-s", "tests/faults/test_field_days.py"], {"FIELD_HOURS": "24"}),
     ("robots in processes", ["benchmarks/transport.py"], {}),
     ("whole matches", ["-m", "pytest", "tests/examples/test_robocup.py"], {"MATCH_SEEDS": "3 11"}),
     (

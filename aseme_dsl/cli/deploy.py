@@ -38,6 +38,7 @@ class _Options:
     python: str
     start: bool
     back: bool
+    keep: int
     colour: str
 
     @property
@@ -98,6 +99,14 @@ def _default_python() -> str:
     help="Python version of the robots, for --wheels.  [default: this Python's]",
 )
 @click.option("--start", is_flag=True, help="Restart the agents with systemd, as services of the user.")
+@click.option(
+    "--keep",
+    type=click.IntRange(1),
+    metavar="N",
+    default=5,
+    show_default=True,
+    help="Versions that remain on a host. The active one and the one before always do.",
+)
 @click.option("--rollback", "back", is_flag=True, help="Activate the version before, and make no bundle.")
 @colour_option
 @gathered(_Options)
@@ -188,7 +197,9 @@ def _on_each(
             if bundle is None:
                 said = host.rollback(options.start)
             else:
-                said = host.deploy(bundle, private_archive(configuration, host.agents), options.start)
+                said = host.deploy(
+                    bundle, private_archive(configuration, host.agents), options.start, options.keep
+                )
             text = ", ".join(said.split("\n")).strip(", ")
             click.echo(f"{host.destination} ({', '.join(host.agents)}): {text}")
         except RemoteError as problem:

@@ -314,16 +314,20 @@ def _run(
 ) -> int:
     """Run the agent; the exit code."""
     from aseme_dsl.project.building.build import activities_folder
+    from aseme_dsl.project.operating.telling import UNSYNCHRONISED
     from aseme_dsl.project.playing.play import in_epoch, play
     from aseme_dsl.project.playing.seen import Seen
     from aseme_dsl.project.playing.supervisor import SEEN
     from aseme_dsl.project.settings.deployment import Deployment
+    from aseme_dsl.runtime.time.synchronised import synchronised
 
     loaded, epoch = in_epoch(loaded, options.robot, configuration, options.version, fresh=options.fresh)
     if options.control is not None:
         deploy = replace(configuration.deploy or Deployment(), control=options.control)
         configuration = replace(configuration, deploy=deploy)
     telling = _telling(options, loaded, configuration)
+    if configuration.deploy is not None and configuration.deploy.tls and synchronised() is False:
+        telling.line(f"note: the clock of this machine {UNSYNCHRONISED}")
     watch = _watch(options, loaded, root, configuration, telling)
     seen = None if options.watched is None else Seen(options.watched, lambda text: _say(SEEN + text))
     with ending_left_processes():

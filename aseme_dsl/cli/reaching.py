@@ -9,13 +9,14 @@ from typing import TYPE_CHECKING
 
 import click
 
-from aseme_dsl.cli.shared import CommandT, FilePath, Refused
+from aseme_dsl.cli.shared import CommandT, FilePath, Refused, print_json
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.diagnostics.problems.running import NotDone, NotOneTeam
 
 if TYPE_CHECKING:
     from collections.abc import Callable
 
+    from aseme_dsl.project.playing.operate import OperateError
     from aseme_dsl.project.playing.remote import Robot
 
 
@@ -82,6 +83,18 @@ def reached(key: Path | None, output: Path, system: str | None = None) -> Iterat
             yield robots
     except RemoteError as problem:
         raise not_done([str(problem)], output) from problem
+
+
+def cannot(problem: OperateError, output: Path, as_json: bool, **members: object) -> int:
+    """Report what cannot be done: as JSON, with further members, and exit code 1; or as a refusal.
+
+    Raises:
+        Refused: without JSON.
+    """
+    if not as_json:
+        raise not_done(problem.args, output) from problem
+    print_json({"ok": False, **members, "reasons": list(problem.args)})
+    return 1
 
 
 def not_done(reasons: Iterable[object], output: Path, first: str | None = None) -> Refused:

@@ -186,6 +186,23 @@ def test_a_bundle_is_copied_activated_and_rolled_back(project: Path) -> None:
         assert line.startswith("['-")  # options, then `--`, then names
 
 
+def test_old_versions_are_removed_but_never_the_active_one_or_the_one_before(project: Path) -> None:
+    made: list[str] = []
+    for number in range(4):
+        (project / "helping.py").write_text(f"def number() -> int:\n    return {number}\n")
+        done = asemec("deploy", "ann", "--keep", "2" if number == 3 else "5")
+        assert done.code == 0, done.err
+        made.append((installed(project) / "current").readlink().name)
+    assert {path.name for path in (installed(project) / "versions").iterdir()} == set(made[2:])
+    assert all(f"removed: {name}" in done.out for name in made[:2])
+    assert asemec("deploy", "ann", "--rollback").code == 0
+    (project / "helping.py").write_text("def number() -> int:\n    return 9\n")
+    assert asemec("deploy", "ann", "--keep", "1").code == 0
+    there = {path.name for path in (installed(project) / "versions").iterdir()}
+    assert there == {(installed(project) / name).readlink().name for name in ("current", "previous")}
+    assert made[2] in there and asemec("deploy", "ann", "--keep", "0").code == 2
+
+
 def test_a_host_that_cannot_be_reached_fails_alone(project: Path) -> None:
     done = asemec("deploy", "--all")
     assert done.code == 1

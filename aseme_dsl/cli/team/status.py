@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import click
 
-from aseme_dsl.cli.reaching import key_option, not_done, reached
+from aseme_dsl.cli.reaching import cannot, key_option, not_done, reached
 from aseme_dsl.cli.shared import json_option, print_json, running_option
 from aseme_dsl.cli.terminal import harmless
 
@@ -44,10 +44,7 @@ def command(output: Path, key: Path | None, watch: bool, as_json: bool) -> int:
                 return _watched(output, robots)
             team = whole_team(output, robots)
     except OperateError as problem:
-        if as_json:
-            print_json({"ok": False, "reasons": list(problem.args)})
-            return 1
-        raise not_done(problem.args, output) from problem
+        return cannot(problem, output, as_json)
     if as_json:
         print_json(as_data(team))
         return int(not team.is_whole)

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from aseme_dsl.cli.reaching import key_option, not_done, reached, within_option
+from aseme_dsl.cli.reaching import cannot, key_option, not_done, reached, within_option
 from aseme_dsl.cli.shared import json_option, print_json, running_option
 from aseme_dsl.cli.terminal import harmless
 
@@ -35,10 +35,7 @@ def command(agents: tuple[str, ...], output: Path, key: Path | None, within: flo
         with reached(key, output) as robots:
             done = stop(output, robots, agents, within=within, tell=tell)
     except OperateError as problem:
-        if as_json:
-            print_json({"ok": False, "stopped": [], "reasons": list(problem.args)})
-            return 1
-        raise not_done(problem.args, output) from problem
+        return cannot(problem, output, as_json, stopped=[])
     if as_json:
         print_json({"ok": not done.problems, "stopped": list(done.ended), "reasons": list(done.problems)})
     elif done.problems:

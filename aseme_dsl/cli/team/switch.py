@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from aseme_dsl.cli.reaching import key_option, not_done, reached
+from aseme_dsl.cli.reaching import cannot, key_option, reached
 from aseme_dsl.cli.shared import json_option, print_json, running_option
 
 
@@ -30,10 +30,7 @@ def command(agent: str, role: str, output: Path, key: Path | None, as_json: bool
         with reached(key, output) as robots:
             reply = select(output, agent, role, robots)
     except OperateError as problem:
-        if as_json:
-            print_json({"ok": False, "reasons": list(problem.args)})
-            return 1
-        raise not_done(problem.args, output) from problem
+        return cannot(problem, output, as_json)
     if as_json:
         print_json(reply)
     else:

@@ -29,6 +29,8 @@ LIST = "out/bundle.json"
 _VERSION = re.compile("[A-Za-z][A-Za-z0-9_]*-[0-9a-f]{12}")
 _UNIT = "asemec.service"
 _LARGEST = 4 << 30
+KEEP = 5
+"""So many versions remain on a host, if nothing else is said; the active one and the one before always do."""
 _AGENT = re.compile(r"[A-Za-z_]\w*")
 
 
@@ -52,8 +54,23 @@ def install(archive: Path, to: Path, private: Iterable[Path] = ()) -> str:
     for file in private:
         _unpack_private(file, to / "private")
     version = _unpack(archive, to / "versions")
+    os.utime(to / "versions" / version)  # its age is that of its last installation
     _activate(to, version)
     return version
+
+
+def prune(to: Path, keep: int) -> list[str]:
+    """Remove the oldest versions but so many, and but the active one and the one before; their names."""
+    needed = {(to / name).readlink().name for name in ("current", "previous") if (to / name).is_symlink()}
+    found = [path for path in (to / "versions").iterdir() if _VERSION.fullmatch(path.name)]
+    found.sort(key=lambda path: (path.name in needed, path.stat().st_mtime_ns), reverse=True)
+    removed: list[str] = []
+    for path in found[max(keep, len(needed)) :]:
+        gone = path.with_name(f".part-{secrets.token_hex(4)}")
+        path.rename(gone)  # in one step: a version is whole or not there
+        shutil.rmtree(gone, ignore_errors=True)
+        removed.append(path.name)
+    return sorted(removed)
 
 
 def rollback(to: Path) -> str:
@@ -242,6 +259,7 @@ def main(arguments: list[str]) -> int:
     parser.add_argument("archive", nargs="?", type=Path, help="the bundle, a .tar.gz")
     parser.add_argument("--to", type=Path, required=True, help="the folder of the team on this host")
     parser.add_argument("--private", type=Path, action="append", default=[], help="files for this host alone")
+    parser.add_argument("--keep", type=int, default=KEEP, help="how many versions remain on this host")
     parser.add_argument("--start", action="append", default=[], help="agent to start with systemd")
     given = parser.parse_args(arguments)
     to = Path(os.path.expanduser(given.to))  # noqa: PTH111
@@ -269,6 +287,9 @@ def main(arguments: list[str]) -> int:
         else:
             version = rollback(to)
         print(f"active: {version}")
+        if given.what == "install":
+            for name in prune(to, given.keep):
+                print(f"removed: {name}")
         if given.start:
             start(to, given.start)
             print(f"started: {', '.join(given.start)}")

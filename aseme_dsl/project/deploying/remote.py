@@ -34,7 +34,7 @@ class Host:
     folder: str
     agents: tuple[str, ...]
 
-    def deploy(self, bundle: Bundle, private: bytes, start: bool) -> str:
+    def deploy(self, bundle: Bundle, private: bytes, start: bool, keep: int = install.KEEP) -> str:
         """Copy, unpack and activate a bundle; what the installer says. Raises RemoteError."""
         incoming = self._run("prepare", "--to", self.folder).strip()
         with tempfile.TemporaryDirectory() as here:
@@ -42,12 +42,11 @@ class Host:
             archive.write_bytes(bundle.archive)
             secret.touch(0o600)
             secret.write_bytes(private)
-            host, user = self.destination.rpartition("@")[::2][::-1]
-            place = f"[{host}]" if ":" in host else host
-            place = f"{user}@{place}" if user else place
+            user, at, host = self.destination.rpartition("@")
+            place = f"{user}{at}[{host}]" if ":" in host else self.destination  # an IPv6 address
             _call(["scp", "-q", "-p", "-B", "--", str(archive), str(secret), f"{place}:{incoming}/"])
         words = ["install", f"{incoming}/{bundle.name}", "--to", self.folder]
-        words += ["--private", f"{incoming}/private.tar"]
+        words += ["--private", f"{incoming}/private.tar", "--keep", str(keep)]
         return self._run(*words, *self._started(start))
 
     def rollback(self, start: bool) -> str:

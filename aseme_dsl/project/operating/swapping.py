@@ -122,7 +122,7 @@ class _Attempt:
         while True:
             last = time.monotonic() >= deadline
             held, busy, problems, notes = self._prepare(last)
-            if held and not busy:
+            if held:
                 break
             if problems and self._needed > self._agents(self._nodes) - self._agents(problems):
                 raise OperateError(*dict.fromkeys(text for texts in problems.values() for text in texts))
@@ -162,7 +162,7 @@ class _Attempt:
             self._roll_back(held, why or "the quorum is not reached")
             return {}, busy, problems, ()
         notes = tuple(note for node in held for note in replies[node]["notes"])
-        return held, {} if last else busy, problems, notes
+        return held, busy, problems, notes
 
     def _finish(self, held: dict[Node, int], unchanged: dict[str, str], notes: tuple[str, ...]) -> Swapped:
         """Phase 2: commit, and finish. A process that has committed changes.

@@ -10,6 +10,8 @@ from aseme_dsl.project.operating.whole_team import WholeTeam
 if TYPE_CHECKING:
     from aseme_dsl.runtime.control.replies import AgentStatus, PeerStatus, Reply
 
+UNSYNCHRONISED = "is not synchronised: dates in its traces and logs may be wrong"
+"""What is said of a machine's clock; times between agents are measured, and do not depend on it."""
 _COUNTED = (
     "lost",
     "refused",
@@ -48,6 +50,9 @@ def _process_lines(status: Reply) -> Iterator[str]:
     for name, peer in status["peers"].items():
         yield f"  to {name:<9} {peer_text(peer)}"
         yield from (f"  {'':<12} not compatible: {text}" for text in peer["incompatible"])
+    is_apart = any(clock["difference"] != 0 for clock in status["clocks"].values())
+    if is_apart and process.get("synchronised") is False:
+        yield f"  the clock of {process['host']} {UNSYNCHRONISED}"
     for name, clock in status["clocks"].items():
         if clock["difference"]:  # that of another machine
             off, wrong = clock["difference"] / 1e6, (clock["uncertainty"] or 0) / 1e6

@@ -10,6 +10,8 @@ import time
 from pathlib import Path
 from typing import TypedDict
 
+from aseme_dsl.runtime.time.synchronised import synchronised
+
 _BEGUN = time.monotonic()
 _NAME = socket.gethostname()[:64]
 
@@ -26,6 +28,8 @@ class Usage(TypedDict):
     memory: int | None
     """Bytes in main memory now; None where the system does not say."""
     threads: int
+    synchronised: bool | None
+    """Whether the machine's clock is synchronised; None where the system does not say."""
 
 
 def usage() -> Usage:
@@ -38,6 +42,7 @@ def usage() -> Usage:
         "cpu": round(spent.user + spent.system + spent.children_user + spent.children_system, 3),
         "memory": memory(),
         "threads": threading.active_count(),
+        "synchronised": synchronised(),
     }
 
 

@@ -53,10 +53,11 @@ class Frame(TypedDict):
 
 
 class Machine(TypedDict):
-    """The clock of a machine, and its reading when the run began, in ns."""
+    """The clock of a machine, and its reading when the run began, in ns; whether it shows the right date."""
 
     clock: int
     origin: int
+    synchronised: NotRequired[bool]
 
 
 class MessageFormats(TypedDict):

@@ -29,6 +29,7 @@ from aseme_dsl.runtime.message.acl import JSON, AclMessage, AgentIdentifier, Fip
 from aseme_dsl.runtime.message.contract import contract_of
 from aseme_dsl.runtime.message.wire import Schema, WireError
 from aseme_dsl.runtime.time.clock import Clock, RealClock
+from aseme_dsl.runtime.time.synchronised import synchronised
 from aseme_dsl.runtime.transport import envelope as envelopes
 from aseme_dsl.runtime.transport.delivery.builds import compare_soon, contract_letter, reading_of
 from aseme_dsl.runtime.transport.delivery.clocks import clock_identity, clock_record, difference_to, moment_of
@@ -87,7 +88,11 @@ class Post(Transport):
         return self.state.incarnation
 
     def machine(self, clock: Clock) -> dict[str, int] | None:
-        return {"clock": self.state.clock, "origin": clock.origin} if isinstance(clock, RealClock) else None
+        if not isinstance(clock, RealClock):
+            return None
+        is_right = synchronised()
+        known = {} if is_right is None else {"synchronised": is_right}
+        return {"clock": self.state.clock, "origin": clock.origin, **known}
 
     def begin(self, team: Connected) -> None:
         state = self.state
