@@ -126,6 +126,11 @@ LONG = [
         {"TIMED_TEAMS": "600"},
     ),
     (
+        "what random charts do is explored",
+        ["-m", "pytest", "-n", "auto", "-s", "tests/proofs/test_explored_charts.py"],
+        {"EXPLORED_CHARTS": "1000"},
+    ),
+    (
         "certificates of random charts, and of charts with planted faults",
         ["-m", "pytest", "-n", "auto", "tests/proofs/test_certificate.py"],
         {"CERTIFIED_CHARTS": "1000", "CERTIFIED_FAULTS": "400"},

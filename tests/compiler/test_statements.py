@@ -153,6 +153,7 @@ def test_properties() -> None:
         ("allways robot1 in Search", "E117", "allways"),
         ("every Search leads Kick", "E117", "Kick"),
         ("never two of playr in center", "E229", "playr"),
+        ("at most 1 player in center", "E117", "player"),
         ('eventually outcome "The striker shots."', "E229", 'outcome "The striker shots."'[8:]),
         ("eventually robot1 in Kick in 195% of 2 seeds", "E230", "in 195% of 2 seeds"),
         ("no sent team.signal.Pass p [p.too == 1] before 1s", "E501", "too"),

@@ -866,6 +866,10 @@ def _at_most(reader: Reader) -> nodes.Several:
         reader.take()
         role = _name(reader, Wanted.ROLE)
         _need(reader, "in")
+    elif _ahead(reader) == "in" and _ahead(reader, 2) != "order":
+        found = reader.tokens[reader.index]
+        problem = problems.OfMissing(str(reader.tokens[reader.index - 1]), str(found))
+        raise Malformed(Diagnostic(problem, reader.span(found), fix=f"of {found}"))
     places = _places(reader)
     return nodes.Several("at most", count, role, places, _share(reader), reader.since(begin))
 

@@ -107,6 +107,19 @@ class MessageAlone(Problem):
         return f"write `message {self.channel}`, or ask for a member"
 
 
+class OfMissing(Problem):
+    code = "E117"
+    count: str
+    role: str
+    message = "`of` is missing before the role"
+
+    @property
+    def hint(self) -> str:
+        return (
+            f"write `at most {self.count} of {self.role} in ...`; in all agents: `at most {self.count} ...`"
+        )
+
+
 class OnlyHas(Problem):
     code = "E117"
     message = "what is assumed of an agent is about its values, not about where it is"
