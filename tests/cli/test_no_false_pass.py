@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from tests.cli.support import Here
-from tests.cli.test_prove import BUY, CENTRES
+from tests.cli.test_prove import BUY, CENTRES, FORGED
 
 HEAD = """\
 system S
@@ -39,6 +39,50 @@ LONG = (
     + "  control robot { leave Count : [n == 40]  repeat Count : else / n = n + 1 }\n}\n"
     + 'property "p" { never robot in Work }\n'
 )
+
+LEASE = """\
+system Lease
+
+message Order    { int to }
+message Identity { int number }
+topic team { state Order }
+topic my   { state Identity }
+
+srm boss {
+  liveness { boss = Give~ }
+  activities {
+    Give takes 1s simulated
+                  writes     team.state.Order
+                  guarantees no sent Order b [b.to != 0 && b.to != a.to] within 2s
+        after sent Order a [a.to != 0]
+  }
+}
+
+srm worker {
+  liveness { worker = (Rest . Work)~ }
+  activities { Rest takes 100ms simulated  Work waits }
+
+  let mine = age(team.state.Order) < 1700ms && team.state.Order.to == my.state.Identity.number
+
+  control worker {
+    enter  Work          : [mine]
+    repeat (Rest . Work) :
+    leave  Work          : when [!mine]
+  }
+}
+
+team Lease {
+  one        : boss
+  two, three : worker
+}
+
+property "one works" {
+  assume network delay 0ms..300ms
+  assume two has [my.state.Identity.number == 2]
+  assume three has [my.state.Identity.number == 3]
+  at most one Work
+}
+"""
 
 WAYS = {
     "few states": (LONG, ["--states", "20"], "p"),
@@ -145,6 +189,116 @@ WAYS = {
         HEAD + "srm robot { liveness { robot = (Work | Wait) . Rest~ }\n"
         "  control robot { enter Work : [field.state.Ball.number == 3]  enter Wait : else }\n}\n"
         'property "p" { never robot in Work }\n',
+        [],
+        "p",
+    ),
+    "a message that an undeclared activity may send": (
+        FORGED.replace(" by Estimate or Carry", ""),
+        [],
+        "Carry@carrier before Settle@manager",
+    ),
+    "guarantees that exclude each other": (
+        HEAD + "srm robot {\n  liveness { robot = Look~ || (Wait . Work) }\n"
+        "  activities { Wait waits  Look writes field.state.Ball\n"
+        "    guarantees no sent Ball b [b.number == 1] within 1s after sent Ball a [a.number == 1]\n"
+        "    guarantees no sent Ball b [b.number != 1] within 1s after sent Ball a [a.number == 1] }\n"
+        "  control robot { enter Work : when [field.state.Ball.number == 1] }\n}\n"
+        'property "p" { never robot in Work }\n',
+        [],
+        "p",
+    ),
+    "assumptions about one value that exclude each other": (
+        _works("field.state.Ball.number == 3").replace(
+            'property "p" {',
+            'property "p" { assume robot has [field.state.Ball.number == 1]'
+            " assume robot has [field.state.Ball.number == 2]",
+        ),
+        [],
+        "p",
+    ),
+    "an assumption that is never so": (
+        _works("field.state.Ball.number == 3").replace(
+            'property "p" {', 'property "p" { assume robot has [1 > 2]'
+        ),
+        [],
+        "p",
+    ),
+    "a horizon of nothing": (
+        _role("control robot { enter Work : [true]  skip Work : after(1s) }")
+        + 'property "p" { no robot in Work before 30min }\n',
+        ["--horizon", "1ms"],
+        "p",
+    ),
+    "nearly every message is lost": (
+        CENTRES.replace(
+            "at most one Center", "assume network loss 99%  every one in Wait leads to one in Center"
+        ),
+        [],
+        "one centre",
+    ),
+    "a timer that nothing starts": (
+        HEAD + "srm robot {\n  liveness { robot = Wait . Work }\n  activities { Wait waits }\n"
+        "  control robot { enter Work : when [expired(rest)] }\n}\n"
+        'property "p" { every robot in Work leads to robot in Wait }\n',
+        [],
+        "p",
+    ),
+    "a part that is cut short, which counts as over": (
+        HEAD + "srm robot {\n  liveness { robot = (Look~ [> Halt) . [Work] }\n"
+        "  control robot { enter Halt : when [field.state.Ball.seen]\n"
+        "    enter Work : [field.state.Ball.number == 9]  skip Work : else }\n}\n"
+        'property "p" { never robot in Work }\n',
+        [],
+        "p",
+    ),
+    "a crash that is assumed of nobody who matters": (
+        CENTRES.replace("at most one Center", "assume at most 1 of decider crash  never two in Center"),
+        [],
+        "one centre",
+    ),
+    "a monitor that waits for what comes once": (
+        _role("control robot { enter Work : [1 > 2]  skip Work : else }")
+        + 'property "p" { robot in Wait until robot in Work }\n',
+        [],
+        "p",
+    ),
+    "no X soon after a Y that never is": (
+        _role("control robot { enter Work : [1 > 2]  skip Work : else }")
+        + 'property "p" { no robot in Wait within 1s after robot in Work }\n',
+        [],
+        "p",
+    ),
+    "in order, of what never comes": (
+        _role("control robot { enter Work : [1 > 2]  skip Work : else }")
+        + 'property "p" { in order robot in Wait, robot in Work }\n',
+        [],
+        "p",
+    ),
+    "a list of a participant that is longer than it can be": (
+        BUY.replace(
+            "    var there : bool = false", "    var there : bool = false\n    var list : list[3] of int"
+        ).replace("[there]", "[there && size(list) > 7]"),
+        ["--states", "9"],
+        "Look@seller before Pay@buyer",
+    ),
+    "an agent alone of which two values are assumed": (
+        LEASE.replace("  assume three", "  assume two has [my.state.Identity.number == 7]\n  assume three"),
+        ["--budget", "3s"],
+        "one works",
+    ),
+    "a second agent that gives orders": (
+        LEASE.replace("  two, three : worker", "  two, three : worker\n  four : boss"),
+        ["--budget", "3s"],
+        "one works",
+    ),
+    "a promise that is too short": (
+        LEASE.replace("within 2s", "within 1s"),
+        ["--budget", "3s"],
+        "one works",
+    ),
+    "an event from outside": (
+        _role("control robot { enter Work : alarm  skip Work : after(1s) }")
+        + 'property "p" { never robot in Work }\n',
         [],
         "p",
     ),

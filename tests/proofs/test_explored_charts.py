@@ -30,7 +30,9 @@ from aseme_dsl.runtime.version.loading import load_system
 from tests.oracle.charts import text
 from tests.oracle.choices import Choices
 
-CHARTS = int(os.environ.get("EXPLORED_CHARTS", "12"))
+FEW = (6, 8, 11, 22, 25, 66, 73, 107)
+"""Seeds of charts that are small enough, and of which nothing is left out."""
+SEEDS = range(int(os.environ["EXPLORED_CHARTS"])) if "EXPLORED_CHARTS" in os.environ else FEW
 GROUPS = 4
 RUNS = 6
 """So many runs of each chart, each with other inputs and durations."""
@@ -187,9 +189,9 @@ def looked_at(seed: int, folder: Path) -> Iterator[str]:
 @pytest.mark.parametrize("group", range(GROUPS))
 def test_what_a_run_does_at_a_moment_is_explored(group: int, tmp_path: Path) -> None:
     found: Counter[str] = Counter()
-    for seed in range(group, CHARTS, GROUPS):
+    for seed in SEEDS[group::GROUPS]:
         folder = tmp_path / str(seed)
         folder.mkdir()
         found.update(looked_at(seed, folder))
     print(dict(found))
-    assert found["followed"] > found["run"] or CHARTS <= GROUPS, found
+    assert found["followed"] > found["run"] > 0, found

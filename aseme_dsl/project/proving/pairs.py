@@ -67,6 +67,8 @@ def by_pairs(
     condition = script.conditions[rule.condition] if isinstance(rule, Never) else None
     if not isinstance(condition, InPlaces) or condition.least < 2 or item.protocol is not None:
         return None
+    if assumed.contradiction:
+        return None
     try:
         return _Pairs(scope, script, loaded, assumed, limits).proved(item, condition)
     except _NotSo:

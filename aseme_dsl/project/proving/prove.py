@@ -362,13 +362,18 @@ def assumed_by(assumptions: Sequence[Assumption]) -> Assumed:
     }
     has: dict[str, dict[str, dict[tuple[str, ...], object]]] = {}
     held: dict[str, tuple[str, ...]] = {}
+    contradiction = ""
     for item in assumptions:
         if isinstance(item, ValueAssumed):
             for channel, path, value in equal_in(item.value):
-                has.setdefault(item.agent, {}).setdefault(channel, {})[path] = value
+                known = has.setdefault(item.agent, {}).setdefault(channel, {})
+                if known.setdefault(path, value) != value:
+                    contradiction = " ".join(item.span.text.split())
                 text = " ".join(item.span.text.split())
                 held[item.agent] = tuple(dict.fromkeys((*held.get(item.agent, ()), text)))
-    return Assumed(loses, crashes, fails, times, delays[-1] if delays else None, takes, has, held)
+    return Assumed(
+        loses, crashes, fails, times, delays[-1] if delays else None, takes, has, held, contradiction
+    )
 
 
 __all__ = ["NotThere", "assumed_by", "of_scope", "prove", "prove_alone"]

@@ -69,6 +69,8 @@ class Assumed:
     """What members of messages hold at agents, by agent and channel, as far as that is assumed."""
     held: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     """The same as it is written, by agent."""
+    contradiction: str = ""
+    """Which assumption cannot be so beside another one, if there is one: then there is no run at all."""
 
 
 @dataclass(frozen=True, slots=True)
