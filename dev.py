@@ -130,6 +130,7 @@ LONG = [
         ["-m", "pytest", "-n", "auto", "-s", "tests/proofs/test_explored_charts.py"],
         {"EXPLORED_CHARTS": "1000"},
     ),
+    ("whether mistakes in protocols are refuted", ["-m", "benchmarks.protocol_mutants"], {}),
     (
         "certificates of random charts, and of charts with planted faults",
         ["-m", "pytest", "-n", "auto", "tests/proofs/test_certificate.py"],
