@@ -5,13 +5,18 @@ from __future__ import annotations
 import json
 import signal
 import subprocess
+import sys
 from collections.abc import Iterator
 from contextlib import suppress
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
-from tests.faults.test_operate import Here, here
+from aseme_dsl.project.operating.telling import _process_lines
+from aseme_dsl.runtime.control.control import Control
+from aseme_dsl.runtime.time.synchronised import synchronised
+from tests.faults.test_operate import Here, Running, here
 from tests.support.waiting import LONG, wait_until
 
 __all__ = ["here"]  # the fixture
@@ -187,3 +192,25 @@ def test_the_screen_shows_the_team_and_its_records(pair: Pair) -> None:
     assert "1 of 2 agents" in where
     assert "bob does not answer" in wrong
     assert records > 0
+
+
+def test_a_clock_that_is_not_synchronised_is_reported() -> None:
+    """(finding O6) Only where there are several machines: dates of one machine agree with each other."""
+    with Running() as (team, _):
+        status = Control(team).handle({"version": 1, "request": "status"})
+    for difference, is_right, reported in ((0, False, False), (5_000_000, True, False), (-7, False, True)):
+        status["clocks"] = {"far": {"difference": difference, "uncertainty": 1000}}
+        status["process"]["synchronised"] = is_right
+        said = [line for line in _process_lines(status) if "is not synchronised" in line]
+        assert bool(said) is reported, said
+
+
+@pytest.mark.parametrize(("returned", "found"), [(0, True), (1, True), (5, False), (-1, None)])
+def test_the_system_says_whether_its_clock_is_synchronised(
+    monkeypatch: pytest.MonkeyPatch, returned: int, found: bool | None
+) -> None:
+    if not sys.platform.startswith("linux"):
+        pytest.skip("NOT TESTED: only Linux says that")
+    library = SimpleNamespace(adjtimex=lambda buffer: returned)
+    monkeypatch.setattr("ctypes.CDLL", lambda name: library)
+    assert synchronised() is found
