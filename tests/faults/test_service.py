@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import gzip
 import json
 import os
 import signal
@@ -9,9 +10,11 @@ import socket
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 from collections.abc import Iterator, Mapping
 from contextlib import suppress
+from http.server import BaseHTTPRequestHandler, HTTPServer
 from pathlib import Path
 from typing import Any
 
@@ -240,6 +243,46 @@ def test_metrics_go_to_opentelemetry() -> None:
         for metric in scope["metrics"]
     }
     assert values["asemec_ready"] == [1] and values["asemec_faults_total"] == [3]
+
+
+def test_a_collector_receives_the_measures_by_otlp_over_http(monkeypatch: pytest.MonkeyPatch) -> None:
+    messages = pytest.importorskip("opentelemetry.proto.collector.metrics.v1.metrics_service_pb2")
+    pytest.importorskip("opentelemetry.exporter.otlp.proto.http")
+    from aseme_dsl.project.operating.otel import exporting
+
+    received: list[tuple[str, str, bytes]] = []
+
+    class Collector(BaseHTTPRequestHandler):
+        def do_POST(self) -> None:
+            content = self.rfile.read(int(self.headers["Content-Length"]))
+            kind = self.headers["Content-Type"]
+            content = gzip.decompress(content) if self.headers["Content-Encoding"] == "gzip" else content
+            received.append((self.path, kind, content))
+            self.send_response(200)
+            self.send_header("Content-Length", "0")
+            self.end_headers()
+
+        def log_message(self, *arguments: object) -> None:
+            pass
+
+    with HTTPServer(("127.0.0.1", 0), Collector) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        monkeypatch.setenv("OTEL_EXPORTER_OTLP_ENDPOINT", f"http://127.0.0.1:{server.server_port}")
+        monkeypatch.setenv("OTEL_METRIC_EXPORT_INTERVAL", "100")
+        steps = Measure("asemec_agent_steps_total", 7, {"agent": "ann"})
+        with exporting(lambda: [Measure("asemec_ready", 1), steps], "S"):
+            wait_until(lambda: len(received) >= 2)
+        server.shutdown()
+    path, kind, content = received[0]
+    assert (path, kind) == ("/v1/metrics", "application/x-protobuf")
+    (resource,) = messages.ExportMetricsServiceRequest.FromString(content).resource_metrics
+    about = {item.key: item.value.string_value for item in resource.resource.attributes}
+    assert about["service.name"] == "asemec" and about["asemec.system"] == "S"
+    metrics = {metric.name: metric for scope in resource.scope_metrics for metric in scope.metrics}
+    assert [point.as_int or point.as_double for point in metrics["asemec_ready"].gauge.data_points] == [1]
+    (point,) = metrics["asemec_agent_steps_total"].sum.data_points
+    assert (point.as_int or point.as_double) == 7 and metrics["asemec_agent_steps_total"].sum.is_monotonic
+    assert [(item.key, item.value.string_value) for item in point.attributes] == [("agent", "ann")]
 
 
 def test_without_the_extra_otel_a_node_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
