@@ -391,6 +391,20 @@ def test_robots_with_certificates_talk(wire: Generated, mouth: Mouth, certificat
     bob.stop()
 
 
+def test_much_at_once_comes_at_the_first_attempt(
+    wire: Generated, mouth: Mouth, certificates: Path, port: int
+) -> None:
+    listening = secured(certificates, "bob", listen=(f"tls/127.0.0.1:{port}",))
+    bob = part(wire, ["bob"], mouth.activities, ZenohLink(WIRE, listening)).start()
+    connecting = secured(certificates, "ann", connect=(f"tls/127.0.0.1:{port}",))
+    ann = part(wire, ["ann"], mouth.activities, ZenohLink(WIRE, connecting)).start()
+    mouth.say += [("team.signal.M", n) for n in range(600)]
+    wait_until(lambda: heard(bob) == list(range(600)))
+    ann.stop()
+    bob.stop()
+    assert not bob.of("peer", what="reordered")  # what the link drops is overtaken
+
+
 @pytest.mark.skipif(not Path("/proc/self/fd").is_dir(), reason="NOT TESTED: only Linux tells of its sockets")
 def test_a_connection_can_be_renewed(wire: Generated, mouth: Mouth, certificates: Path, port: int) -> None:
     listening = secured(certificates, "bob", listen=(f"tls/127.0.0.1:{port}",))

@@ -254,12 +254,12 @@ class ZenohLink:
             if self._session is None:
                 return None
             # Blocking would delay the whole team for one agent that does not read. The streams repeat dropped
-            # messages, and limit what is on its way so that zenoh hardly ever drops one.
+            # messages, and limit what is on its way so that zenoh hardly ever drops one. It would if they
+            # were `express`: each would fill one of the two places in its queue.
             found = self._publishers[key] = self._session.declare_publisher(
                 key,
                 congestion_control=zenoh.CongestionControl.DROP,
                 priority=zenoh.Priority.INTERACTIVE_HIGH if sure else zenoh.Priority.DATA,
-                express=sure,
             )
             return found
 
