@@ -59,11 +59,19 @@ class Machines:
         assert "error" not in answer, answer
         return answer
 
-    def start(self, machine: str, *command: str, cwd: Path | None = None, **environment: str) -> psutil.Popen:
+    def start(
+        self,
+        machine: str,
+        *command: str,
+        cwd: Path | None = None,
+        stdin: int | None = None,
+        **environment: str,
+    ) -> psutil.Popen:
         """Start a program on a machine; it is killed at the end."""
         process = psutil.Popen(
             [*FIRST, "nsenter", f"--net=/proc/{self.holders[machine]}/ns/net", *command],
             cwd=cwd,
+            stdin=stdin,
             stdout=subprocess.PIPE,
             stderr=subprocess.STDOUT,
             text=True,

@@ -15,6 +15,8 @@ from typing import Any
 
 import psutil
 
+from aseme_dsl.runtime.control.operator_key import write_key
+from aseme_dsl.runtime.transport.access import OPERATOR
 from tests.cli.support import asemec
 from tests.faults.test_network import certify
 from tests.network.machines import Machines
@@ -26,6 +28,8 @@ NAMES = ("robot1", "robot2", "robot3", "robot4")
 PERIOD = 0.05
 """So often, in seconds, each robot says something to each other one."""
 LEASE = 2.0
+OFFICE = "office"
+"""The operator's machine, where there is one."""
 
 TEAM = """
 system TALK
@@ -89,16 +93,16 @@ class Hear:
 """
 
 
-def project(folder: Path, deployed: str, team: str = TEAM) -> Path:
-    """A built project of the team."""
-    name = own_name("Talk")
+def project(folder: Path, deployed: str, team: str = TEAM, name: str = "", say: str = SAY) -> Path:
+    """A built project of the team, whose system has a name of this test's own."""
+    name = name or own_name("Talk")
     (folder / "activities").mkdir(parents=True)
     (folder / "pyproject.toml").write_text(
         '[tool.asemec]\nfiles = ["talk.aseme"]\noutput = "out"\nactivities = "activities"\n'
         f"[tool.asemec.deploy]\n{deployed}"
     )
     (folder / "talk.aseme").write_text(team.replace("TALK", name))
-    (folder / "activities" / "say.py").write_text(SAY.replace("TALK", name))
+    (folder / "activities" / "say.py").write_text(say.replace("TALK", name))
     (folder / "activities" / "hear.py").write_text(HEAR)
     built = asemec("build", cwd=folder)
     assert built.code == 0, built
@@ -108,19 +112,23 @@ def project(folder: Path, deployed: str, team: str = TEAM) -> Path:
 def deployed(folder: Path, network: Machines) -> str:
     """`[tool.asemec.deploy]`: each robot has a certificate and a host, the last one is found by multicast.
 
-    The second one has an IPv6 address.
+    The second one has an IPv6 address. If there is an operator's machine, the robots take the operator's key.
     """
     certificates = folder / "certificates"
     certificates.mkdir(parents=True)
     every = [address for both in network.addresses.values() for address in both]
-    certify(certificates, {"team": tuple(network.addresses)}, *every)
-    *named, _ = network.addresses
+    certify(certificates, {"team": (*NAMES, OPERATOR)}, *every)
+    *named, _ = NAMES
     hosts = {name: network.addresses[name][0] for name in named}
     hosts[named[1]] = f"[{network.addresses[named[1]][1]}]"
     told = [f'{name} = "{host}"' for name, host in hosts.items()]
+    control = ""
+    if OFFICE in network.addresses:
+        write_key(folder / "operator.toml")
+        control = f'control = "{folder}/operator.toml"\n'
     return (
         f"hosts = {{ {', '.join(told)} }}\n"
-        f'interface = "eth0"\nlease = "{LEASE:g}s"\n'
+        f'interface = "eth0"\nlease = "{LEASE:g}s"\n{control}'
         f'tls = {{ authority = "{certificates}/team.pem", certificate = "{certificates}/ROBOT.pem", '
         f'key = "{certificates}/ROBOT.key" }}\n'
     )
@@ -139,11 +147,11 @@ class Talkers:
         whole = self.folder / "out" / f"trace.{robot}.jsonl.gz"
         return records_of(whole if whole.exists() else whole.with_name(f"{whole.name}.part"))
 
-    def begin(self, robot: str, **environment: str) -> None:
-        """Start a robot on its machine."""
+    def begin(self, robot: str, *options: str, machine: str = "", **environment: str) -> None:
+        """Start a robot, on its machine if no other one is said."""
         self.processes[robot] = self.network.start(
-            robot, sys.executable, "-m", "aseme_dsl", "node", robot, "--from", "out", "-q", cwd=self.folder,
-            **environment,
+            machine or robot, sys.executable, "-m", "aseme_dsl", "node", robot, "--from", "out", "-q",
+            *options, cwd=self.folder, **environment,
         )  # fmt: skip
 
     def end(self) -> dict[str, Story]:
@@ -256,7 +264,7 @@ def misdelivered(stories: Mapping[str, Story]) -> list[str]:
 def talking(folder: Path, network: Machines, **environment: str) -> Iterator[Talkers]:
     """The team, when each hears each."""
     team = Talkers(folder, network, {})
-    for robot in network.addresses:
+    for robot in NAMES:
         team.begin(robot, **environment)
     team.wait_for_talk(40)
     time.sleep(1.0)

@@ -564,35 +564,53 @@ def test_commands_reach_a_team_with_the_key_of_its_project(
     assert {r["origin"] for r in run.trace("robot1") if r["kind"] == "control"} == {"bus"}
 
 
-def test_robots_that_have_not_changed_are_named(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+class Half:
+    """A robot that confirms, and is not heard of any more from a phase on."""
+
+    def __init__(self, name: str, lost: str = "") -> None:
+        self.name, self.lost, self.gone, self.done = name, lost, False, False
+        self.waited: dict[str, float] = {}
+        self.system, self.key = "S", Key("k", bytes(32))
+
+    def __str__(self) -> str:
+        return self.name
+
+    def ask(self, request: dict[str, Any], timeout: float) -> dict[str, Any]:
+        phase = str(request.get("phase", ""))
+        self.waited[phase] = timeout
+        self.gone |= phase != "" and phase == self.lost
+        if self.gone:
+            raise RemoteError(f"{self.name} does not answer")
+        if phase == "finish":
+            self.done = True
+        agent = {"name": self.name, "model": "new"}
+        epoch = {"number": int(self.done), "hash": "0" * 64 if self.done else "", "base": "m"}
+        status = {"agents": [agent], "swap": None, "epoch": epoch, "held": None}
+        return {"ok": True, "state": "prepared", "id": 1, "reasons": [], "notes": [], **status}
+
+
+@pytest.mark.parametrize("phase", ["commit", "finish"])
+def test_robots_that_have_not_changed_are_named(
+    phase: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
     monkeypatch.setattr(swapping, "HOLD", 0.0)
-
-    class Half:
-        """A robot that confirms, and is not heard of any more."""
-
-        def __init__(self, name: str, lost: bool) -> None:
-            self.name, self.lost, self.gone, self.done = name, lost, False, False
-            self.system, self.key = "S", Key("k", bytes(32))
-
-        def __str__(self) -> str:
-            return self.name
-
-        def ask(self, request: dict[str, Any], timeout: float) -> dict[str, Any]:
-            self.gone |= self.lost and request.get("phase") == "finish"
-            if self.gone:
-                raise RemoteError(f"{self.name} does not answer")
-            if request.get("phase") == "finish":
-                self.done = True
-            agent = {"name": self.name, "model": "new"}
-            epoch = {"number": int(self.done), "hash": "0" * 64 if self.done else "", "base": "m"}
-            status = {"agents": [agent], "swap": None, "epoch": epoch, "held": None}
-            return {"ok": True, "state": "prepared", "id": 1, "reasons": [], "notes": [], **status}
-
     monkeypatch.setattr(operate, "Robot", Half)
-    robots = cast("list[Robot]", [Half("ann", False), Half("bob", True)])
-    done = swapping.swap(tmp_path, "0" * 64, robots=robots)
-    assert (done.changed, done.unchanged) == (("ann",), {"bob": "bob does not answer"})
-    assert not done.is_whole
+    robots = [Half("ann"), Half("bob", lost=phase)]
+    done = swapping.swap(tmp_path, "0" * 64, robots=cast("list[Robot]", robots))
+    assert done.changed == (("ann",) if phase == "finish" else ())
+    assert done.unchanged["bob"] == "bob does not answer: it may have changed"
+    assert done.unknown == ("bob",) and not done.is_whole
+
+
+def test_robots_hear_what_follows_before_they_decide_alone(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setattr(operate, "Robot", Half)
+    robots = [Half("ann"), Half("bob"), Half("cat", lost="prepare")]
+    done = swapping.swap(tmp_path, "0" * 64, robots=cast("list[Robot]", robots), quorum="2")
+    assert done.changed == ("ann", "bob") and set(done.unchanged) == {"cat"} and not done.unknown
+    assert robots[2].waited["prepare"] + 1.0 < swapping.HOLD
+    assert robots[0].waited["commit"] + 1.0 < swapping.HOLD
 
 
 def test_a_project_says_where_the_keys_are() -> None:

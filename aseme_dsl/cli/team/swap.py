@@ -22,7 +22,7 @@ from aseme_dsl.cli.terminal import harmless
 from aseme_dsl.diagnostics import has_errors
 
 SOME = 3
-"""The exit code if some agents have changed and others have not."""
+"""The exit code if some agents have changed, or may have, and others have not."""
 
 
 @click.command(
@@ -30,7 +30,7 @@ SOME = 3
     help="Compile TARGET and switch the agents that run from the output directory to the new model. Each"
     " agent keeps its active states and its data. The swap happens between two steps, for all agents of the"
     " team or for none; with --quorum, for at least so many. It is refused if an agent is in a state that"
-    f" TARGET does not have. The exit code is 3 if only some agents have changed. {TARGET_HELP}",
+    f" TARGET does not have. The exit code is 3 if only some agents have changed, or may have. {TARGET_HELP}",
     epilog="Example: asemec team swap team.aseme   ·   asemec team swap half_time.aseme -o out --within 5s",
 )
 @target_argument
@@ -63,7 +63,7 @@ def command(
     as_json: bool,
     colour: str,
 ) -> int:
-    """Swap; 1 if the file has errors or no agent has changed, 3 if only some have."""
+    """Swap; 1 if the file has errors or no agent has changed, 3 if only some have, or may have."""
     from aseme_dsl.diagnostics import Severity
     from aseme_dsl.project.building.build import activities_folder, choose
     from aseme_dsl.project.operating.swapping import swap
@@ -97,9 +97,10 @@ def command(
             print_json({"ok": False, "reasons": list(problem.args), **diagnostics_json(found)})
             return 1
         raise not_done(problem.args, output, "nothing has changed:") from problem
-    status = 0 if done.is_whole else SOME if done.changed else 1
+    status = 0 if done.is_whole else SOME if done.changed or done.unknown else 1
     if as_json:
         told: dict[str, object] = {"changed": list(done.changed), "unchanged": dict(done.unchanged)}
+        told["unknown"] = list(done.unknown)
         told |= {"epoch": done.epoch, "hash": name, "notes": list(done.notes)}
         print_json({"ok": status == 0, "model": model, **told, **diagnostics_json(found)})
         return status
@@ -109,7 +110,7 @@ def command(
         whom = compiled.system.name if status == 0 else ", ".join(done.changed)
         click.echo(f"{whom} swapped to model {model}")
     if status:
-        first = "not all agents have changed:" if done.changed else "nothing has changed:"
+        first = "not all agents have changed:" if status == SOME else "nothing has changed:"
         reasons = [harmless(f"{agent}: {why}") for agent, why in sorted(done.unchanged.items())]
         not_done(reasons, output, first).show()
     return status

@@ -20,10 +20,12 @@ if TYPE_CHECKING:
 
 WITHIN = 10.0
 """How long, in seconds, a swap waits for conversations to end."""
-HOLD = 3.0
+HOLD = 4.0
 """How long, in seconds, a process waits for the next phase before it decides alone."""
 MOST_CREDIBLE = 1 << 40
 """No team has changed so many times: who says so is not believed, and refuses the swap."""
+ANSWER = 2.5
+"""So many seconds a held process may take to answer: then there is time to tell the others what follows."""
 _TRY = 0.3
 _PAUSE = 0.05
 
@@ -32,13 +34,15 @@ _PAUSE = 0.05
 class Swapped:
     """What has become of a swap: the members that have changed, why others have not, and notes.
 
-    `epoch` is its number. A swap of some agents only makes none.
+    `epoch` is its number. A swap of some agents only makes none. `unknown` are those of `unchanged` that were
+    asked to change, and have not said what they follow now: they may have changed, too.
     """
 
     epoch: int | None
     changed: tuple[str, ...]
     unchanged: Mapping[str, str] = field(default_factory=dict)
     notes: tuple[str, ...] = ()
+    unknown: tuple[str, ...] = ()
 
     @property
     def is_whole(self) -> bool:
@@ -153,7 +157,7 @@ class _Attempt:
         prepare: Request = {**self._request, "phase": "prepare", "within": _TRY, "hold": HOLD}
         if self._epoch is not None:
             prepare["epoch"] = self._epoch
-        replies = self._ask(can, prepare, 30.0)
+        replies = self._ask(can, prepare, ANSWER)
         held = {node: reply["id"] for node, reply in replies.items() if reply.get("state") == "prepared"}
         busy |= {n: r["reasons"] for n, r in replies.items() if r["ok"] and n not in held}
         problems |= {node: reply["reasons"] for node, reply in replies.items() if not reply["ok"]}
@@ -174,8 +178,7 @@ class _Attempt:
         done = {node: number for node, number in held.items() if node not in failed}
         if self._agents(done) < self._needed:
             why = "; ".join(text for texts in failed.values() for text in texts)
-            back = self._roll_back(held, why)
-            if not back:
+            if not self._roll_back(held, why):
                 raise OperateError(*(text for texts in failed.values() for text in texts))
         else:
             said = self._say(done, "finish")
@@ -187,6 +190,7 @@ class _Attempt:
         end = time.monotonic() + HOLD + 1.0  # those that are on their own have decided by then
         waiting = list(held)
         changed: list[str] = []
+        unknown: list[str] = []
         while waiting:
             replies = ask_each({node.socket: {"request": "status"} for node in waiting})
             last = time.monotonic() >= end
@@ -201,10 +205,11 @@ class _Attempt:
                 elif last:
                     waiting.remove(node)
                     why = "; ".join(reply.get("reasons", ())) or "its swap is still under way"
-                    unchanged |= dict.fromkeys(self._mine(node), why)
+                    unchanged |= dict.fromkeys(self._mine(node), f"{why}: it may have changed")
+                    unknown += self._mine(node)
             if waiting:
                 time.sleep(_PAUSE)
-        return Swapped(self._epoch, tuple(sorted(changed)), unchanged, notes)
+        return Swapped(self._epoch, tuple(sorted(changed)), unchanged, notes, tuple(sorted(unknown)))
 
     def _follows(self, node: Node, reply: Reply) -> bool:
         """Whether a process follows the version of this swap."""
@@ -234,7 +239,7 @@ class _Attempt:
             said["reason"] = reason[:1000]
         more = proofs or {}
         replies = ask_each(
-            {n.socket: {**said, "id": number, **more.get(n, {})} for n, number in held.items()}
+            {n.socket: {**said, "id": number, **more.get(n, {})} for n, number in held.items()}, ANSWER
         )
         return {node: replies[node.socket] for node in held}
 
