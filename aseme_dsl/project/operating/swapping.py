@@ -24,6 +24,8 @@ HOLD = 4.0
 """How long, in seconds, a process waits for the next phase before it decides alone."""
 MOST_CREDIBLE = 1 << 40
 """No team has changed so many times: who says so is not believed, and refuses the swap."""
+READY = 10.0
+"""So many seconds a process may take to read and check the new version."""
 ANSWER = 2.5
 """So many seconds a held process may take to answer: then there is time to tell the others what follows."""
 _TRY = 0.3
@@ -148,7 +150,7 @@ class _Attempt:
         busy and there is time, none is held.
         """
         request = {**self._request, "phase": "ready"}
-        ready = self._ask(self._nodes, request, 30.0)
+        ready = self._ask(self._nodes, request, READY)
         busy = {node: reply["reasons"] for node, reply in ready.items() if reply["ok"] and reply["reasons"]}
         problems = {node: reply["reasons"] for node, reply in ready.items() if not reply["ok"]}
         can = [node for node in self._nodes if node not in busy and node not in problems]

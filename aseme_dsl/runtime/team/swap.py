@@ -111,6 +111,7 @@ class Swappable(Protocol):
     def agent(self, name: str) -> Agent: ...
     def bind_message_types(self) -> None: ...
     def renew(self, agent: Agent, version: Version) -> None: ...
+    def speak(self, version: Version) -> None: ...
     def set_version(self, version: Version) -> None: ...
 
 
@@ -290,11 +291,14 @@ class Swap:
             lines = [(agent, agent.plan, carried) for agent, carried in self._carried]
             team.bind_message_types()
             team.conversations.play_alike(self._alike())
+            is_whole = len(self.agents) == len(team.agents)
+            if is_whole:
+                team.speak(version)  # before the first activity of the new version does
             for agent, carried in self._carried:
                 model = carried.chart.PLAN.model
                 agent.go_on(carried, version.find, version.messages, changed=model != agent.plan.model)
                 team.renew(agent, version)
-            if len(self.agents) == len(team.agents):
+            if is_whole:
                 team.set_version(version)
             sources = packed(version.sources) if team.trace.active else None
             for agent, before, carried in lines:

@@ -316,6 +316,12 @@ class Team:
         for agent in self.agents:
             agent.messages = agent.messages or self.version.messages
 
+    def speak(self, version: Version) -> None:
+        """What goes to agents elsewhere is of this version from now on."""
+        if version.schema is not None:
+            plans = tuple(chart.PLAN for chart in version.charts.values())
+            self.transport.renew(version.schema, version.model, plans)
+
     def set_version(self, version: Version) -> None:
         """The whole team, here and elsewhere, is of this version now."""
         same = version.messages.items() == self.version.messages.items() and version.code == self.version.code
@@ -325,9 +331,6 @@ class Team:
         for name, plan in self.elsewhere.items():
             if plan.name in version.charts:
                 self.elsewhere[name] = version.charts[plan.name].PLAN
-        if version.schema is not None:
-            plans = tuple(chart.PLAN for chart in version.charts.values())
-            self.transport.renew(version.schema, version.model, plans)
         self.bus.renew(self.elsewhere)
         self.conversations.renew(self.elsewhere)
 

@@ -195,12 +195,13 @@ class Post(Transport):
         state = self.state
         sender, sequence = identity
         what = channel.split(".", 2)[1]
-        payload = encoded(state, sender, channel, message, in_order=what != "data")
-        if payload is None:
+        found = encoded(state, sender, channel, message, in_order=what != "data")
+        if found is None:
             return
+        payload, contract = found
         envelope = state.envelope(
             envelopes.MESSAGE, sequence, state.origin + moment, channel=channel, host=host or ""
-        )
+        )._replace(contract=contract)
         sent = Sent(channel.replace(".", "/"), envelope, payload, sender, what)
         key = (what, channel, host or "")
         with state.lock:
@@ -219,9 +220,10 @@ class Post(Transport):
         sender, sequence = message.identity
         is_loss = message.performative == LOST
         what = f"{message.performative} {message.message}"
-        payload = b"" if is_loss else encoded(state, sender, what, message.content)
-        if payload is None:
+        found = (b"", state.codec.number) if is_loss else encoded(state, sender, what, message.content)
+        if found is None:
             return
+        payload, contract = found
         envelope = state.envelope(
             envelopes.LOSS if is_loss else envelopes.MAIL,
             sequence,
@@ -241,7 +243,7 @@ class Post(Transport):
             language=message.language if message.language != JSON else "",
             encoding=message.encoding,
             ontology=message.ontology if message.ontology != state.team.system else "",
-        )
+        )._replace(contract=contract)
         sent = Sent("mail", envelope, payload, sender, "mail")
         with state.lock:
             if state.closing:

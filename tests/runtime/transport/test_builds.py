@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+import itertools
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
 
 import pytest
 
 from aseme_dsl.runtime import Context
+from aseme_dsl.runtime.team.swap import Swap
+from aseme_dsl.runtime.team.team import Team
 from aseme_dsl.runtime.transport.over_zenoh import ZenohLink
 from aseme_dsl.runtime.transport.settings import Network
+from tests.faults.changing import version
 from tests.runtime.transport.net import Air, Part, part
 from tests.support.generated import Generated, generate
 from tests.support.network import own_name
@@ -356,3 +360,48 @@ def test_another_version_of_a_protocol_is_refused_to_who_begins(
     (rejected,) = one.of("peer", what="rejected")
     assert rejected["reason"].startswith("Job: ")
     assert two.team.peers()["ann"].refused == 1
+
+
+def test_what_is_said_in_the_midst_of_a_swap_is_of_one_of_both_versions(
+    mouth: Mouth, links: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """An activity speaks again and again, also while its agent changes."""
+    old_text = OLD.replace("Say takes 500ms", "Say every 10ms").replace("Speaker = Say", "Speaker = Say~")
+    old = generate(old_text)
+    new = generate(old_text.replace("optional Place place }", "optional Place place  optional int build }"))
+    said = itertools.count()
+
+    def speaking(made: Generated, **members: Any) -> dict[str, type[Any]]:
+        class Say:
+            def execute(self, context: Context) -> None:
+                context.publish("team.signal.M", made.message("M", n=next(said), **members))
+
+        return {"Say": Say}
+
+    for step in ("renew", "speak"):
+        monkeypatch.setattr(Team, step, slowly(getattr(Team, step)))
+    ann, bob = part(old, ["ann"], speaking(old), links()), part(new, ["bob"], mouth.activities, links())
+    ann.start()
+    bob.start()
+    wait_until(lambda: heard(bob))
+    swap = Swap(ann.team, version(new, speaking(new, build=7)))
+    wait_until(lambda: swap.check() and swap.hold())
+    swap.finish()
+    wait_until(lambda: heard(bob)[-1]["build"])
+    mouth.over.set()
+    ann.stop()
+    bob.stop()
+    assert not faults(ann)
+    found = [(m["n"], m["build"]) for m in heard(bob)]
+    assert [n for n, _ in found] == list(range(len(found)))
+    assert {build for _, build in found} == {None, 7}
+
+
+def slowly(step: Callable[..., None]) -> Callable[..., None]:
+    """A step, after which nothing else happens for a moment."""
+
+    def slow(*what: Any) -> None:
+        step(*what)
+        time.sleep(0.2)
+
+    return slow

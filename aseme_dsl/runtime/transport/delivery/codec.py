@@ -6,6 +6,7 @@ from functools import cached_property
 
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.message.contract import Contract, Reading, reading
+from aseme_dsl.runtime.message.convert import converted
 from aseme_dsl.runtime.message.free import Text
 from aseme_dsl.runtime.message.wire import Schema, WireError
 
@@ -21,10 +22,15 @@ class Codec:
     largest: int | None
 
     def encode(self, message: object) -> bytes:
-        """The payload of a message. Raises WireError."""
+        """The payload of a message. Raises WireError.
+
+        While a team changes its version, messages of the other one may come: they are converted.
+        """
         if isinstance(message, Text):
             payload = _utf_8(message.text)
         else:
+            if type(message).__name__ in self.kinds:
+                message = converted(message, self.kinds)
             payload = self.schema.encode_json(message) if self.readable else self.schema.encode(message)
         if self.largest is not None and len(payload) > self.largest:
             raise WireError(f"it has {len(payload)} bytes, and at the most {self.largest} travel here")

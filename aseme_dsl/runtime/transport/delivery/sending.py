@@ -24,18 +24,21 @@ UNKNOWN = "it is of another build, which does not have its sender"
 REPLACED = "a newer one took its place before it could be sent"
 
 
-def encoded(state: Delivery, sender: str, what: str, message: object, in_order: bool = True) -> bytes | None:
-    """The payload of a message; None, after telling why, if it cannot travel.
+def encoded(
+    state: Delivery, sender: str, what: str, message: object, in_order: bool = True
+) -> tuple[bytes, int] | None:
+    """The payload of a message and its contract; None, after telling why, if it cannot travel.
 
     What must arrive `in_order` is smaller: all that the sender says to the same receivers waits for it.
     """
+    codec = state.codec  # a swap may put another one in its place meanwhile
     try:
-        payload = state.codec.encode(message)
+        payload = codec.encode(message)
     except WireError as problem:
         reason = str(problem)
     else:
         if not in_order or len(payload) <= LARGEST_IN_ORDER:
-            return payload
+            return payload, codec.number
         reason = (
             f"it has {len(payload)} bytes, and at the most {LARGEST_IN_ORDER} travel here, unless as data"
         )
