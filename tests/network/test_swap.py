@@ -148,7 +148,7 @@ class Changing:
         with self.fault(case):
             if case.whom == OFFICE and case.what == "killed":
                 operator.kill()
-                operator.wait()
+                operator.communicate()
             else:
                 text, _ = operator.communicate("\n", timeout=LONG)
                 code = operator.returncode
