@@ -81,3 +81,17 @@ def test_five_robots_never_both_believe_to_be_the_center(here: Here, folder: Pat
 def test_planted_faults_are_never_proved(here: Here, folder: Path, changes: tuple[str, ...]) -> None:
     line = asked(here, folder, *changes)
     assert not line.startswith("PROVED"), line
+
+
+def test_what_only_activities_read_makes_no_states(here: Here, folder: Path) -> None:
+    """Nothing in the file asks for it, so it makes no difference whether it has come."""
+    channels = "".join(f"message M{n} {{ int x }}\ntopic t{n} {{ state M{n} }}\n" for n in range(8))
+    names = ", ".join(f"t{n}.state.M{n}" for n in range(8))
+    (folder / "many.aseme").write_text(
+        f"system Many\n{channels}"
+        "srm robot {\n  liveness { robot = (Look . Act)~ }\n"
+        f"  activities {{ Look takes 1s reads {names}  Act takes 1s writes {names} }}\n}}\n"
+    )
+    done = here("prove", "many.aseme", "failures")
+    assert done.out.startswith("PROVED    failures of team"), done.out + done.err
+    assert int(done.out.split(" states]")[0].split()[-1]) < 8

@@ -8,7 +8,7 @@ from functools import cached_property
 from aseme_dsl.proofs.explore.alone import Alone
 from aseme_dsl.proofs.explore.deciding.choosing import Choices
 from aseme_dsl.proofs.explore.deciding.later import Contents, Later
-from aseme_dsl.proofs.explore.deciding.staging import by_lines_of, copied
+from aseme_dsl.proofs.explore.deciding.staging import by_lines_of, copied, looked_at
 from aseme_dsl.proofs.explore.needed import Needed
 from aseme_dsl.proofs.explore.surroundings import NOW
 from aseme_dsl.runtime.agent.agent import Agent
@@ -46,6 +46,8 @@ class Coming:
         self._of_modules = frozenset(of_modules)
         self._plans = list({agent.role: agent.plan for agent in agents}.values())
         self._kept = frozenset(told).union(*map(copied, self._plans))
+        self._told = frozenset(told)
+        self._looked_at = frozenset[str]().union(*map(looked_at, self._plans))
         self._has = has
         self._alone = alone
         self.needed: Needed | None = None
@@ -87,6 +89,7 @@ class Coming:
             channel
             for channel in agent.chart.READERS
             if channel in rules
+            and (channel in self._looked_at or channel.rpartition(".")[2] in self._told)
             and (
                 self._alone is not None
                 or channel not in writers
@@ -128,7 +131,7 @@ class Coming:
         found = {
             channel: frozenset(info.name for info in agent.plan.activities if channel in info.writes)
             for channel in agent.chart.READERS
-            if self._is_brief(channel)
+            if self._is_brief(channel) and channel in self._looked_at
         }
         return {
             channel: activities

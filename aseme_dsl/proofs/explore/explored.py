@@ -152,7 +152,7 @@ class Explored:
         self.later = Later(self.choices, self.values, self._outcomes)
         contents = Contents(self.choices, self.values, self.later, loaded.messages, told)
         self._acting = acting = Acting(
-            self.choices, self.values, contents, plans, self._is_new, self._outcomes
+            self.choices, self.values, contents, plans, self._is_new, self._outcomes, told
         )
         acting.publishes = alone is None
         charts = {

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from contextlib import suppress
 from functools import partial
 from typing import Protocol, cast
@@ -10,7 +10,7 @@ from typing import Protocol, cast
 from aseme_dsl.proofs.explore.deciding.choosing import Choices
 from aseme_dsl.proofs.explore.deciding.later import Contents, content_of
 from aseme_dsl.proofs.explore.deciding.outcomes import Outcomes
-from aseme_dsl.proofs.explore.deciding.staging import OPEN, assigned, by_lines, receivers, watched
+from aseme_dsl.proofs.explore.deciding.staging import OPEN, assigned, by_lines, looked_at, receivers, watched
 from aseme_dsl.proofs.explore.deciding.values import Values
 from aseme_dsl.runtime.activity import context as c
 from aseme_dsl.runtime.activity.execution import Execution
@@ -45,9 +45,12 @@ class Acting:
         plans: Sequence[Plan],
         is_new: Callable[[Agent, str], bool],
         outcomes: Outcomes,
+        told: Collection[str],
     ) -> None:
         """`is_new` says whether what activities of an agent publish on a channel is there for it whenever it
-        looks for it, and for no other agent."""
+        looks for it, and for no other agent. Something besides the plans asks for messages of the types
+        `told`.
+        """
         self._is_new = is_new
         self._choices = choices
         self._outcomes = outcomes
@@ -56,6 +59,8 @@ class Acting:
         self._plans = {plan.name: plan for plan in plans}
         self._watched = {plan.name: watched(plan) for plan in plans}
         self._writes: dict[tuple[str, str], list[str]] = {}
+        self._told = frozenset(told)
+        self._looked_at = frozenset[str]().union(*map(looked_at, plans))
         self._reads = 0
         self.publishes = True
         """Whether what activities publish matters."""
@@ -71,7 +76,7 @@ class Acting:
             for *_, states, _ in agent.branch_info(execution.branch).moves
             for state in states
         )
-        writes = self.publishes and any(not self._is_new(agent, channel) for channel in info.writes)
+        writes = any(self._matters(channel) and not self._is_new(agent, channel) for channel in info.writes)
         return bool(sets or writes or sends)
 
     def written(self, agent: Agent, execution: Execution, *, is_end: bool) -> list[str]:
@@ -149,9 +154,7 @@ class Acting:
 
     def _publish(self, agent: Agent, execution: Execution, channel: str) -> None:
         message = channel.rpartition(".")[2]
-        if not self.publishes or not any(
-            channel in region.reads for plan in self._plans.values() for region in plan.regions
-        ):
+        if not self._matters(channel):
             return
         text = f"{execution.activity} publishes {message}"
         if self._choices.of(("publish", channel), (None, True), text):
@@ -162,6 +165,13 @@ class Acting:
                 execution.held.append(doing)
             else:  # what is decided later is of another class than the plan's
                 agent.requests.perform(execution, doing)
+
+    def _matters(self, channel: str) -> bool:
+        """Whether it matters that an activity publishes on a channel: anything but activities asks for it."""
+        is_told = channel.rpartition(".")[2] in self._told and any(
+            channel in region.reads for plan in self._plans.values() for region in plan.regions
+        )
+        return self.publishes and (is_told or channel in self._looked_at)
 
     def _send(self, agent: Agent, execution: Execution, branch: str) -> None:
         """The messages of the protocol that activities send, where this one may."""

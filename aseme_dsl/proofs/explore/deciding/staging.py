@@ -172,6 +172,23 @@ def copied(plan: Plan) -> frozenset[str]:
     return frozenset(found)
 
 
+def looked_at(plan: Plan) -> frozenset[str]:
+    """The channels whose messages lines of a plan ask for, hand on or give to activities."""
+    found: set[str] = set()
+    todo: list[object] = [part for item in plan.transitions for part in (item.condition, *item.actions)]
+    todo += [term for state in plan.states for _, term in state.arguments]
+    while todo:
+        term = todo.pop()
+        match term:
+            case ("member", _, str() as channel, *_):
+                found.add(channel)
+            case _:
+                pass
+        if isinstance(term, tuple):
+            todo += term
+    return frozenset(found)
+
+
 def published(action: tuple[object, ...]) -> str | None:
     """The channel for which an action publishes or prepares a message."""
     match action:
@@ -245,6 +262,7 @@ __all__ = [
     "copied",
     "events",
     "lists_of",
+    "looked_at",
     "published",
     "raised_by",
     "receivers",
