@@ -1,7 +1,6 @@
 """Swaps of a team on four machines while robots or their operator are unreachable, killed or slow.
 
-A short form runs always. NETWORK_RUNS=N has N teams suffer each fault in each phase, and prints what became
-of it: `dev.py long` does.
+NETWORK_RUNS=N has N teams suffer each fault in each phase, and prints what became of it: `dev.py long` does.
 """
 
 from __future__ import annotations
@@ -31,13 +30,14 @@ from tests.support.traces import records_of
 from tests.support.waiting import LONG, wait_until
 
 RUNS = int(os.environ.get("NETWORK_RUNS", "0"))
-ONE_VERSION = 20.0 if RUNS else LONG
+ONE_VERSION = 20.0
 """So many seconds after a fault has ended, all follow one version."""
 PHASES = ("ready", "prepare", "commit", "finish")
 NEW = TEAM.replace("message Tick { int n  string who }", "message Tick { int n  string who  int build }")
 """A version whose robots read no ticks of the other one: they lack `build`, which they need."""
 
 pytest.importorskip("zenoh")
+pytestmark = pytest.mark.skipif(not RUNS, reason="long: set NETWORK_RUNS, or run python3 dev.py long")
 
 
 @dataclass(frozen=True, slots=True)
@@ -297,7 +297,6 @@ def test_a_swap_with_a_robot_and_then_the_operator_gone(tmp_path: Path) -> None:
         check(found, team)
 
 
-@pytest.mark.skipif(not RUNS, reason="many runs: set NETWORK_RUNS, or run python3 dev.py long")
 @pytest.mark.parametrize("run", range(max(1, RUNS)))
 def test_swaps_with_faults_in_each_phase(tmp_path: Path, run: int) -> None:
     found = []
