@@ -127,6 +127,12 @@ ENDS = (
     End("contract_net", "two winners", "DONE", {"AnnounceJob": act(wanted=2, says=("Job", {"id": "1"}))}),
     End(
         "contract_net",
+        "nobody is wanted",
+        "NOBODY",
+        {"AnnounceJob": act(wanted=0, says=("Job", {"id": "1"}))},
+    ),
+    End(
+        "contract_net",
         "one of two winners fails",
         "FAILED",
         {
