@@ -296,6 +296,22 @@ WAYS = {
         ["--budget", "3s"],
         "one works",
     ),
+    "a message that an activity publishes and nobody reads": (
+        _role("", "Wait takes 1s writes field.state.Ball") + 'property "p" { never sent Ball }\n',
+        [],
+        "p",
+    ),
+    "a message on a channel that an activity publishes and nobody reads": (
+        _role("", "Wait takes 1s writes field.state.Ball") + 'property "p" { never sent field.state.Ball }\n',
+        [],
+        "p",
+    ),
+    "a message that comes to a region that does not matter": (
+        _role("control robot { enter Work : [field.state.Ball.seen]  skip Work : else }")
+        + 'property "p" { never received field.state.Ball }\n',
+        [],
+        "p",
+    ),
     "an event from outside": (
         _role("control robot { enter Work : alarm  skip Work : after(1s) }")
         + 'property "p" { never robot in Work }\n',

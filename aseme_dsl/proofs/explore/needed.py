@@ -59,6 +59,8 @@ def needed_for(
         search.named(name)
     for channel in asked.channels:
         search.channel(channel)
+        for plan in plans:
+            search.reads[plan.name].add(channel)
     search.run()
     regions = {
         name: frozenset(label for role, label in search.parts if role == name) for name in search.plans

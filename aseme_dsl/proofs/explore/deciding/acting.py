@@ -167,10 +167,11 @@ class Acting:
                 agent.requests.perform(execution, doing)
 
     def _matters(self, channel: str) -> bool:
-        """Whether it matters that an activity publishes on a channel: anything but activities asks for it."""
-        is_told = channel.rpartition(".")[2] in self._told and any(
-            channel in region.reads for plan in self._plans.values() for region in plan.regions
-        )
+        """Whether it matters that an activity publishes on a channel: anything but activities asks for it.
+
+        What a property asks for matters even if no agent reads it.
+        """
+        is_told = channel.rpartition(".")[2] in self._told
         return self.publishes and (is_told or channel in self._looked_at)
 
     def _send(self, agent: Agent, execution: Execution, branch: str) -> None:
