@@ -46,6 +46,9 @@ class Foreign(Enum):
     RANDOM = "`random()`"
     REACTIVE = "`reactive`"
     READING = "`read_messages`"
+    REENTERING = (
+        "a transition from inside an AND into several of its regions, where the AND has a time or `exit`"
+    )
     RESUMING = "`resume`"
     SETTERS = "a message that is not filled with one member, just before it is published"
     SEVERAL_EVENTS = "several events"

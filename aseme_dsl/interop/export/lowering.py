@@ -511,6 +511,17 @@ class _Lowering:
                 and self.chart.children(parent)[0].label != label
             ):
                 self.values.refuse(Foreign.LEAVING, first.span)
+        self._check_entering_again(path)
+
+    def _check_entering_again(self, path: Path) -> None:
+        """SCION and XState stay in an AND that SCXML leaves and enters again: its times and exits differ."""
+        last = path[-1]
+        for label in (state.label for state in self.chart.ancestors(path[0].source)):
+            is_around = all(target.startswith(f"{label}.") for target in last.into)
+            if last.into and is_around and self.chart.node(label).type is StateType.AND:
+                if self._durations(self.chart.node(label)) or any(self.chart.exits_of(label)):
+                    self.values.refuse(Foreign.REENTERING, last.span)
+                return
 
     def _check_staying(self, transition: Transition) -> None:
         expression = transition.expression

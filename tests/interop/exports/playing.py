@@ -26,6 +26,8 @@ from tests.oracle.playing import filled, like
 from tests.support.generated import Generated
 
 MS = 1_000_000
+MOST = 100
+"""So many steps may follow one another at once: a chart that raises an event in each has no end, in no engine."""
 HOSTS = ("ann", "bob", "me")
 
 
@@ -112,9 +114,9 @@ class Recorder:
         return item if item.given is None or isinstance(value, dict) else replace(item, initial=value)
 
     def step(self, inputs: list[Input]) -> tuple[str, ...] | bool | None:
-        """Make a step, and those that follow it at once; False if the agent fails."""
+        """Make a step, and those that follow it at once; False if the agent fails, or too many follow."""
         self.said = self.flags() | dict(pair for item in inputs for pair in self.set_by(item))
-        while True:
+        for _ in range(MOST):
             expected = self.reference.step(self.now, inputs)
             outcome = self.actual.step(self.now, inputs)
             assert self.reference.configuration() == self.actual.configuration()
@@ -128,6 +130,8 @@ class Recorder:
             if not (expected.again or outcome.again):
                 break
             inputs = []
+        else:
+            return False
         self.known = self.seen()
         if self.reference.finished:
             return None

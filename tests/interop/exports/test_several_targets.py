@@ -62,6 +62,16 @@ def test_all_targets_are_written() -> None:
     assert '"target": ["#C_0_3_1_3", "#E_0_3_2_3"]' in json.dumps(config)
 
 
+@pytest.mark.parametrize("line", ["0.3 -> 0.4 : after(4s)", "exit 0.3 : / raise go"])
+def test_what_engines_skip_of_an_and_that_is_entered_again_is_refused(line: str) -> None:
+    """SCION and XState do not leave the AND: its time would go on, and its exit would not be done."""
+    system = system_of(TEXT.replace("0.3.1.3 ->", f"{line}\n  0.3.1.3 ->"))
+    for form in (Format.SCXML, Format.XSTATE):
+        written, (refused,) = files_of(system, system.iacs[0], form)
+        assert written == () and Foreign.REENTERING.value in refused.message
+        assert refused.span is not None and refused.span.text.startswith("0.3.1.3 -> (")
+
+
 @pytest.mark.parametrize(
     ("format", "feature"),
     [
