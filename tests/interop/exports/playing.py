@@ -27,7 +27,7 @@ from tests.support.generated import Generated
 
 MS = 1_000_000
 MOST = 100
-"""So many steps may follow one another at once: a chart that raises an event in each has no end, in no engine."""
+"""So many steps may follow one another at once: some charts raise an event in each, and have no end."""
 HOSTS = ("ann", "bob", "me")
 
 
