@@ -86,8 +86,8 @@ def section(case: Case) -> str:
     of = ""
     for item in answers(case):
         bounds = re.sub(r"[0-9]+ states$", "", item.bounds.text).rstrip("; ")
-        if of != f"{item.of}: {bounds}":
-            of = f"{item.of}: {bounds}"
+        if of != f"{item.of}: `{bounds}`":
+            of = f"{item.of}: `{bounds}`"
             lines += ["" if lines[-1] else None, f"{of[0].upper()}{of[1:]}", ""]  # type: ignore[list-item]
             lines += ["| question | verdict | states | reason |", "| --- | --- | --- | --- |"]
         states = "" if item.bounds.states is None else str(_size(item.bounds.states, case.states))

@@ -300,7 +300,7 @@ class Judge:
         if not replay.problem:
             replay = played(self._scope.root, replay, self._loaded, item)
         if replay.problem:
-            why = f"abstract: the run that was found is none of a team: {replay.problem}"
+            why = f"abstract: the run found is none of a team: {replay.problem}"
             reason = f"{found.reason}; {why}" if found.reason else why
             return replace(found, verdict=Verdict.UNDECIDED, reason=reason, is_abstract=True)
         assert replay.played is not None
