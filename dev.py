@@ -111,6 +111,11 @@ LONG = [
         {"CERTIFICATES": "1"},
     ),
     (
+        "planted faults are never proved",
+        ["-m", "pytest", "-n", "auto", "tests/cli/test_prove_pairs.py", "tests/cli/test_prove_robocup.py"],
+        {"CERTIFICATES": "1"},
+    ),
+    (
         "SPIN as a second opinion about random protocols",
         ["-m", "pytest", "-n", "auto", "-rs", "tests/interop/exports/test_promela.py"],
         {"SPIN_TALKS": "100"},

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
@@ -79,40 +80,40 @@ def test_it_is_proved_where_leases_do_not_overlap(here: Here, folder: Path, chan
     assert "each agent alone" in text
 
 
-@pytest.mark.parametrize(
-    "changes",
-    [
-        ("< 1700ms", "< 2001ms"),
-        ("< 1700ms", "<= 2s"),
-        ("within 2s", "within 1699ms"),
-        ("0..300ms", "0..2001ms", TOPIC, "topic team radio 10 { state Order }"),
-        ("[b.to != 0 &&", "[b.to == 2 &&"),
-        ("[a.to != 0]", "[a.to == 3]"),
-        (PROMISE, ""),
-        ("one : boss ", "one, other : boss "),
-        ("assume three has [my.state.Identity.number == 3]", ""),
-        ("three has [my.state.Identity.number == 3]", "three has [my.state.Identity.number == 2]"),
-        ("three has [my.state.Identity.number == 3]", "three has [my.state.Identity.number > 2]"),
-        ("leave Work : when [!mine]", ""),
-        (TOPIC, "topic team radio 10 { state Order }", "< 1700ms", "< 1701ms"),
-        (TOPIC, "topic team radio 10 delay 100ms { state Order }", "< 1700ms", "< 1801ms"),
-        ("Rest takes 100ms simulated", "Rest takes 100ms simulated writes team.state.Order"),
-        ("{ state Order }", "{ state Order from boss, outside }"),
-        ("{ state Order }", "{ state Order persist }"),
-        ("age(team.state.Order) < 1700ms &&", ""),
-        ("age(team.state.Order) < 1700ms &&", "age(team.state.Order) < 1700ms ||"),
-        ("enter Work : [mine]", "enter Work :", "leave Work : when [!mine]", ""),
-        (
-            "boss = Give~",
-            "boss = Wait . Give~",
-            "takes 1s simulated writes",
-            "takes 1s simulated writes",
-            "    Give takes",
-            "    Wait waits\n    Give takes",
-        ),
-        ("enter Work : [mine]", "enter Work : [mine && team.state.Order.to == 9]"),
-    ],
-)
+FAULTS: list[tuple[str, ...]] = [
+    ("< 1700ms", "< 2001ms"),
+    ("< 1700ms", "<= 2s"),
+    ("within 2s", "within 1699ms"),
+    ("0..300ms", "0..2001ms", TOPIC, "topic team radio 10 { state Order }"),
+    ("[b.to != 0 &&", "[b.to == 2 &&"),
+    ("[a.to != 0]", "[a.to == 3]"),
+    (PROMISE, ""),
+    ("one : boss ", "one, other : boss "),
+    ("assume three has [my.state.Identity.number == 3]", ""),
+    ("three has [my.state.Identity.number == 3]", "three has [my.state.Identity.number == 2]"),
+    ("three has [my.state.Identity.number == 3]", "three has [my.state.Identity.number > 2]"),
+    ("leave Work : when [!mine]", ""),
+    (TOPIC, "topic team radio 10 { state Order }", "< 1700ms", "< 1701ms"),
+    (TOPIC, "topic team radio 10 delay 100ms { state Order }", "< 1700ms", "< 1801ms"),
+    ("Rest takes 100ms simulated", "Rest takes 100ms simulated writes team.state.Order"),
+    ("{ state Order }", "{ state Order from boss, outside }"),
+    ("{ state Order }", "{ state Order persist }"),
+    ("age(team.state.Order) < 1700ms &&", ""),
+    ("age(team.state.Order) < 1700ms &&", "age(team.state.Order) < 1700ms ||"),
+    ("enter Work : [mine]", "enter Work :", "leave Work : when [!mine]", ""),
+    (
+        "boss = Give~",
+        "boss = Wait . Give~",
+        "takes 1s simulated writes",
+        "takes 1s simulated writes",
+        "    Give takes",
+        "    Wait waits\n    Give takes",
+    ),
+    ("enter Work : [mine]", "enter Work : [mine && team.state.Order.to == 9]"),
+]
+
+
+@pytest.mark.parametrize("changes", FAULTS if "CERTIFICATES" in os.environ else FAULTS[::3])
 def test_planted_faults_are_never_proved(here: Here, folder: Path, changes: tuple[str, ...]) -> None:
     verdict, text = asked(here, folder, changes)
     assert verdict != "PROVED", text
