@@ -8,11 +8,12 @@ follows what the newest messages say, without a search.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import field
 from typing import cast
 
 from aseme_dsl.amola.expression import COMPARE, TURNED
 from aseme_dsl.records import dataclass
-from aseme_dsl.runtime.chart.plan import Plan, Transition, is_in
+from aseme_dsl.runtime.chart.plan import Plan, Transition, is_in, terms_in
 
 Path = tuple[str, ...]
 Known = Mapping[str, Mapping[Path, object]]
@@ -104,7 +105,7 @@ def said_in(
     atoms: set[tuple[object, bool]] = set()
     for item in plan.transitions:
         if _leaves_at_once(plan, item, label):
-            atoms |= _if_not(item.condition, True)
+            atoms |= _if(item.condition, False)
     found = {channel: _Saying() for channel in there}
     for term, value in atoms:
         if not any(is_optional(channel, path) for channel, path in _read(term)):
@@ -153,7 +154,7 @@ def _leaves_at_once(plan: Plan, item: Transition, label: str) -> bool:
         and is_in(label, item.source)
         and _region_of(plan, label) == _region_of(plan, item.source)
         and all(plan.by_label[target].type != "CONDITION" for target in item.targets)
-        and not _has_word(item.condition, _RAISES)
+        and not any(term and term[0] in _RAISES for term in terms_in([item.condition]))
     )
 
 
@@ -166,7 +167,7 @@ def _region_of(plan: Plan, label: str) -> str:
 
 
 def _if(term: object, value: bool) -> _Atoms:
-    """What is so if a condition has this value."""
+    """What is so if a condition has this value, where nothing that it reads is absent."""
     match term:
         case ("!", inner):
             return _if(inner, not value)
@@ -182,19 +183,10 @@ def _if(term: object, value: bool) -> _Atoms:
             return frozenset(((term, value),))
 
 
-def _if_not(term: object, value: bool) -> _Atoms:
-    """What is so, or absent, if a condition has not this value."""
-    return _if(term, not value)
-
-
 @dataclass(slots=True)
 class _Saying:
-    members: dict[Path, object]
-    age: int | None
-
-    def __init__(self) -> None:
-        self.members = {}
-        self.age = None
+    members: dict[Path, object] = field(default_factory=dict)
+    age: int | None = None
 
 
 def _note(found: dict[str, _Saying], there: frozenset[str], term: object, value: bool, known: Known) -> None:
@@ -233,17 +225,6 @@ def _read(term: object) -> Iterator[tuple[str, Path]]:
             yield from _read(other)
         case _:
             pass
-
-
-def _has_word(term: object, words: frozenset[str]) -> bool:
-    todo = [term]
-    while todo:
-        item = todo.pop()
-        if isinstance(item, tuple):
-            if item and item[0] in words:
-                return True
-            todo += item
-    return False
 
 
 def _path(path: Iterable[object]) -> Path:

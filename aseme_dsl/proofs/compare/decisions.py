@@ -10,7 +10,7 @@ from typing import cast
 from aseme_dsl.amola.expression import TURNED
 from aseme_dsl.proofs.explore.deciding.choosing import Choices
 from aseme_dsl.proofs.explore.deciding.values import Values
-from aseme_dsl.runtime.chart.plan import Plan, Variable
+from aseme_dsl.runtime.chart.plan import Plan, Variable, terms_of
 from aseme_dsl.runtime.message.convert import converted
 
 DRAWN = (0.0, 0.25, 0.5, 0.75, 0.9999)
@@ -200,16 +200,9 @@ class _Asked:
         """The ages of messages, by channel."""
         self.constants: dict[str, set[str]] = {}
         """The constants, by enum."""
-        todo: list[object] = []
         for plan in plans:
-            for item in plan.transitions:
-                todo += [item.condition, *item.actions]
-            todo += [term for state in plan.states for _, term in state.arguments]
-        while todo:
-            term = todo.pop()
-            if isinstance(term, tuple):
+            for term in terms_of(plan):
                 self._note(term)
-                todo += term
 
     def _note(self, term: tuple[object, ...]) -> None:
         match term:

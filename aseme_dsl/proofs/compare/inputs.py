@@ -20,7 +20,7 @@ from aseme_dsl.runtime.chart.inputs import (
     Input,
     Sample,
 )
-from aseme_dsl.runtime.chart.plan import Plan, is_in
+from aseme_dsl.runtime.chart.plan import Plan, is_in, terms_in
 
 OTHER = "other1"
 """The agent from which messages come."""
@@ -225,14 +225,7 @@ def _taken_now(plan: Plan, leaves: Sequence[str]) -> frozenset[tuple[str, ...]]:
 
 
 def _asks_reason(plan: Plan) -> bool:
-    todo: list[object] = [item.condition for item in plan.transitions]
-    while todo:
-        term = todo.pop()
-        if isinstance(term, tuple):
-            if term[:1] == ("reason",):
-                return True
-            todo += term
-    return False
+    return any(term[:1] == ("reason",) for term in terms_in(item.condition for item in plan.transitions))
 
 
 def _is_free(side: Side, channel: str) -> bool:

@@ -19,7 +19,7 @@ from aseme_dsl.runtime.chart.board import NEVER, Board
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.history import History
 from aseme_dsl.runtime.chart.inputs import Identity, Sample
-from aseme_dsl.runtime.chart.plan import Plan
+from aseme_dsl.runtime.chart.plan import Plan, terms_in
 
 _ORDER = ("==", "!=", "<", "<=", ">", ">=")
 
@@ -137,12 +137,8 @@ def thresholds_of(plan: Plan) -> tuple[dict[str, tuple[int, ...]], bool]:
     """The ages (ns) with which messages are compared, by channel, and whether ages serve for nothing else."""
     found: dict[str, set[int]] = {}
     whole = True
-    todo: list[object] = [part for item in plan.transitions for part in (item.condition, *item.actions)]
-    todo += [argument for state in plan.states for argument in state.arguments]
-    while todo:
-        term = todo.pop()
-        if not isinstance(term, tuple):
-            continue
+    lines = (part for item in plan.transitions for part in (item.condition, *item.actions))
+    for term in terms_in((*lines, *(argument for state in plan.states for argument in state.arguments))):
         match term:
             case (word, ("age", ("member", _, channel, *_)), ("const", int(age))) if word in _ORDER:
                 found.setdefault(str(channel), set()).add(age)
@@ -150,19 +146,15 @@ def thresholds_of(plan: Plan) -> tuple[dict[str, tuple[int, ...]], bool]:
                 found.setdefault(str(channel), set()).add(age)
             case (_, *parts) if any(isinstance(part, tuple) and part[:1] == ("age",) for part in parts):
                 whole = False
-        todo += term
     return {channel: tuple(sorted(ages)) for channel, ages in found.items()}, whole
 
 
 def asks_for_history(plan: Plan) -> bool:
     """Whether a condition asks what a message was before."""
-    todo: list[object] = [part for item in plan.transitions for part in (item.condition, *item.actions)]
-    while todo:
-        match todo.pop():
+    for term in terms_in(part for item in plan.transitions for part in (item.condition, *item.actions)):
+        match term:
             case ("at" | "mean", ("member", *_), *_):
                 return True
-            case tuple() as term:
-                todo += term
             case _:
                 pass
     return False

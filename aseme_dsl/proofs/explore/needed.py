@@ -10,7 +10,7 @@ from dataclasses import field
 
 from aseme_dsl.proofs.explore.deciding.staging import published
 from aseme_dsl.records import dataclass
-from aseme_dsl.runtime.chart.plan import Plan, Transition, is_in
+from aseme_dsl.runtime.chart.plan import Plan, Transition, is_in, terms_in
 
 Part = tuple[str, str]
 """A region of a role: the names of the role and of the region."""
@@ -200,11 +200,7 @@ class _Search:
                 self._add(plan, child.label)
 
     def _terms(self, plan: Plan, terms: Iterable[object]) -> None:
-        todo = list(terms)
-        while todo:
-            term = todo.pop()
-            if not isinstance(term, tuple):
-                continue
+        for term in terms_in(terms):
             match term:
                 case ("variable", str() as name, *_):
                     self.named(name.partition("@")[0])
@@ -219,18 +215,13 @@ class _Search:
                     self.states(plan, _called(plan, name))
                 case _:
                     pass
-            todo += term
 
 
 def _signals(condition: object) -> Iterator[str]:
     """The channels with signals that a condition asks for."""
-    todo = [condition]
-    while todo:
-        term = todo.pop()
-        if isinstance(term, tuple):
-            if term[:1] == ("member",) and str(term[2]).split(".", 2)[1] == "signal":
-                yield str(term[2])
-            todo += term
+    for term in terms_in([condition]):
+        if term[:1] == ("member",) and str(term[2]).split(".", 2)[1] == "signal":
+            yield str(term[2])
 
 
 def _called(plan: Plan, name: str) -> Iterator[str]:

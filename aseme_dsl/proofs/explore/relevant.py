@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from aseme_dsl.runtime.chart.chart import Chart
-from aseme_dsl.runtime.chart.plan import Plan, is_in
+from aseme_dsl.runtime.chart.plan import Plan, is_in, terms_in
 
 _UNKNOWN = object()
 
@@ -138,15 +138,11 @@ def _parts(action: tuple[object, ...]) -> tuple[object, ...]:
 def _names(terms: list[object]) -> tuple[frozenset[str], frozenset[str]]:
     variables: set[str] = set()
     timers: set[str] = set()
-    while terms:
-        term = terms.pop()
-        if not isinstance(term, tuple):
-            continue
+    for term in terms_in(terms):
         if term[:1] == ("variable",):
             variables.add(str(term[1]))
         elif term[:1] == ("expired",):
             timers.add(str(term[1]))
-        terms += term
     return frozenset(variables), frozenset(timers)
 
 

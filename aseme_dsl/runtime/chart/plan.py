@@ -53,7 +53,7 @@ Durations are in ns; ("duration", value) cuts a computed one to whole ns.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from functools import cached_property
 
 from aseme_dsl.records import dataclass
@@ -492,6 +492,22 @@ _registry: dict[tuple[str, str], Plan] = {}
 def is_in(label: str, state: str) -> bool:
     """Whether a state, by its label, is another one or inside it."""
     return label == state or label.startswith(f"{state}.")
+
+
+def terms_in(parts: Iterable[object]) -> Iterator[tuple[object, ...]]:
+    """The terms among conditions, values and actions, and all terms inside them."""
+    todo = list(parts)
+    while todo:
+        term = todo.pop()
+        if isinstance(term, tuple):
+            yield term
+            todo += term
+
+
+def terms_of(plan: Plan) -> Iterator[tuple[object, ...]]:
+    """All terms in the lines of a plan, and in what its activities are given."""
+    lines = (part for item in plan.transitions for part in (item.condition, *item.actions))
+    return terms_in((*lines, *(term for state in plan.states for _, term in state.arguments)))
 
 
 def register(plan: Plan) -> Plan:

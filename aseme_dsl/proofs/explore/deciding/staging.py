@@ -11,7 +11,7 @@ from typing import cast
 from aseme_dsl.proofs.explore.deciding.arriving import methods_of
 from aseme_dsl.runtime.activity import context as c
 from aseme_dsl.runtime.chart.chart import Chart
-from aseme_dsl.runtime.chart.plan import BranchInfo, Plan, is_in
+from aseme_dsl.runtime.chart.plan import BranchInfo, Plan, is_in, terms_in, terms_of
 
 
 class StandsFor:
@@ -158,15 +158,11 @@ def by_lines_of(plan: Plan) -> frozenset[str]:
 def copied(plan: Plan) -> frozenset[str]:
     """The types of messages that lines keep or hand on as a whole."""
     found: set[str] = set()
-    todo: list[object] = [action for item in plan.transitions for action in item.actions]
-    todo += [term for state in plan.states for _, term in state.arguments]
-    while todo:
-        term = todo.pop()
+    actions = (action for item in plan.transitions for action in item.actions)
+    for term in terms_in((*actions, *(term for state in plan.states for _, term in state.arguments))):
         match term:
             case ("member", _, str() as channel, ()):
                 found.add(channel.rpartition(".")[2])
-            case tuple():
-                todo += term
             case _:
                 pass
     return frozenset(found)
@@ -174,19 +170,7 @@ def copied(plan: Plan) -> frozenset[str]:
 
 def looked_at(plan: Plan) -> frozenset[str]:
     """The channels whose messages lines of a plan ask for, hand on or give to activities."""
-    found: set[str] = set()
-    todo: list[object] = [part for item in plan.transitions for part in (item.condition, *item.actions)]
-    todo += [term for state in plan.states for _, term in state.arguments]
-    while todo:
-        term = todo.pop()
-        match term:
-            case ("member", _, str() as channel, *_):
-                found.add(channel)
-            case _:
-                pass
-        if isinstance(term, tuple):
-            todo += term
-    return frozenset(found)
+    return frozenset(str(term[2]) for term in terms_of(plan) if term[:1] == ("member",))
 
 
 def published(action: tuple[object, ...]) -> str | None:
@@ -226,17 +210,12 @@ def writable(plan: Plan, label: str) -> tuple[str, ...]:
 
 def watched(plan: Plan) -> frozenset[str]:
     """The variables that conditions read while what they are about is active, complete or not."""
-    found: set[str] = set()
-    todo: list[object] = [
+    looked_for = (
         item.condition for item in plan.transitions if item.when or item.events or item.kind == "on"
-    ]
-    while todo:
-        term = todo.pop()
-        if isinstance(term, tuple):
-            if term[:1] == ("variable",):
-                found.add(str(term[1]).partition("@")[0])
-            todo += term
-    return frozenset(found)
+    )
+    return frozenset(
+        str(term[1]).partition("@")[0] for term in terms_in(looked_for) if term[:1] == ("variable",)
+    )
 
 
 def events(plan: Plan) -> tuple[str, ...]:
