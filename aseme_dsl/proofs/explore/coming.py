@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from functools import cached_property
 
 from aseme_dsl.proofs.explore.alone import Alone
 from aseme_dsl.proofs.explore.deciding.choosing import Choices
 from aseme_dsl.proofs.explore.deciding.later import Contents, Later
-from aseme_dsl.proofs.explore.deciding.staging import by_lines_of, copied, looked_at
+from aseme_dsl.proofs.explore.deciding.staging import by_lines_of, copied
 from aseme_dsl.proofs.explore.needed import Needed
 from aseme_dsl.proofs.explore.surroundings import NOW
 from aseme_dsl.runtime.agent.agent import Agent
@@ -32,12 +32,13 @@ class Coming:
         later: Later,
         of_modules: Collection[str],
         told: Collection[str],
+        is_asked: Callable[[str], bool],
         has: Mapping[str, Mapping[str, Mapping[tuple[str, ...], object]]],
         alone: Alone | None = None,
     ) -> None:
         """Modules publish on the channels `of_modules`. Of messages of the types `told`, something else asks
-        what they say, or when they come. `has` says what their members hold, by agent and channel, as far as
-        that is known."""
+        what they say, or when they come; `is_asked` says whether anything but activities asks for those of a
+        channel. `has` says what their members hold, by agent and channel, as far as that is known."""
         self._agents = agents
         self._bus = bus
         self._choices = choices
@@ -46,8 +47,7 @@ class Coming:
         self._of_modules = frozenset(of_modules)
         self._plans = list({agent.role: agent.plan for agent in agents}.values())
         self._kept = frozenset(told).union(*map(copied, self._plans))
-        self._told = frozenset(told)
-        self._looked_at = frozenset[str]().union(*map(looked_at, self._plans))
+        self._is_asked = is_asked
         self._has = has
         self._alone = alone
         self.needed: Needed | None = None
@@ -89,7 +89,7 @@ class Coming:
             channel
             for channel in agent.chart.READERS
             if channel in rules
-            and (channel in self._looked_at or channel.rpartition(".")[2] in self._told)
+            and self._is_asked(channel)
             and (
                 self._alone is not None
                 or channel not in writers
@@ -131,7 +131,7 @@ class Coming:
         found = {
             channel: frozenset(info.name for info in agent.plan.activities if channel in info.writes)
             for channel in agent.chart.READERS
-            if self._is_brief(channel) and channel in self._looked_at
+            if self._is_brief(channel) and self._is_asked(channel)
         }
         return {
             channel: activities

@@ -17,7 +17,7 @@ from aseme_dsl.proofs.explore.deciding.acting import Acting, Free
 from aseme_dsl.proofs.explore.deciding.choosing import Choices
 from aseme_dsl.proofs.explore.deciding.later import Contents, Later
 from aseme_dsl.proofs.explore.deciding.outcomes import Outcomes
-from aseme_dsl.proofs.explore.deciding.staging import OPEN, StandsFor, events, lists_of, staged
+from aseme_dsl.proofs.explore.deciding.staging import OPEN, StandsFor, asked_in, events, lists_of, staged
 from aseme_dsl.proofs.explore.deciding.values import Values
 from aseme_dsl.proofs.explore.memory import Memory, Picture
 from aseme_dsl.proofs.explore.needed import Asked, needed_for
@@ -151,8 +151,9 @@ class Explored:
         self._outcomes = Outcomes(self.choices)
         self.later = Later(self.choices, self.values, self._outcomes)
         contents = Contents(self.choices, self.values, self.later, loaded.messages, told)
+        is_asked = asked_in(plans, told)
         self._acting = acting = Acting(
-            self.choices, self.values, contents, plans, self._is_new, self._outcomes, told
+            self.choices, self.values, contents, plans, self._is_new, self._outcomes, is_asked
         )
         acting.publishes = alone is None
         charts = {
@@ -186,6 +187,7 @@ class Explored:
             self.later,
             [channel for _, module in self._modules for channel in module.writes],
             told,
+            is_asked,
             has,
             alone,
         )

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from functools import partial
 from typing import Protocol, cast
@@ -10,7 +10,7 @@ from typing import Protocol, cast
 from aseme_dsl.proofs.explore.deciding.choosing import Choices
 from aseme_dsl.proofs.explore.deciding.later import Contents, content_of
 from aseme_dsl.proofs.explore.deciding.outcomes import Outcomes
-from aseme_dsl.proofs.explore.deciding.staging import OPEN, assigned, by_lines, looked_at, receivers, watched
+from aseme_dsl.proofs.explore.deciding.staging import OPEN, assigned, by_lines, receivers, watched
 from aseme_dsl.proofs.explore.deciding.values import Values
 from aseme_dsl.runtime.activity import context as c
 from aseme_dsl.runtime.activity.execution import Execution
@@ -45,11 +45,11 @@ class Acting:
         plans: Sequence[Plan],
         is_new: Callable[[Agent, str], bool],
         outcomes: Outcomes,
-        told: Collection[str],
+        is_asked: Callable[[str], bool],
     ) -> None:
         """`is_new` says whether what activities of an agent publish on a channel is there for it whenever it
-        looks for it, and for no other agent. Something besides the plans asks for messages of the types
-        `told`.
+        looks for it, and for no other agent. `is_asked` says whether anything but activities asks for the
+        messages of a channel.
         """
         self._is_new = is_new
         self._choices = choices
@@ -59,8 +59,7 @@ class Acting:
         self._plans = {plan.name: plan for plan in plans}
         self._watched = {plan.name: watched(plan) for plan in plans}
         self._writes: dict[tuple[str, str], list[str]] = {}
-        self._told = frozenset(told)
-        self._looked_at = frozenset[str]().union(*map(looked_at, plans))
+        self._is_asked = is_asked
         self._reads = 0
         self.publishes = True
         """Whether what activities publish matters."""
@@ -167,12 +166,8 @@ class Acting:
                 agent.requests.perform(execution, doing)
 
     def _matters(self, channel: str) -> bool:
-        """Whether it matters that an activity publishes on a channel: anything but activities asks for it.
-
-        What a property asks for matters even if no agent reads it.
-        """
-        is_told = channel.rpartition(".")[2] in self._told
-        return self.publishes and (is_told or channel in self._looked_at)
+        """Whether it matters that an activity publishes on a channel."""
+        return self.publishes and self._is_asked(channel)
 
     def _send(self, agent: Agent, execution: Execution, branch: str) -> None:
         """The messages of the protocol that activities send, where this one may."""

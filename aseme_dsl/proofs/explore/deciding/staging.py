@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from operator import attrgetter
@@ -173,6 +173,13 @@ def looked_at(plan: Plan) -> frozenset[str]:
     return frozenset(str(term[2]) for term in terms_of(plan) if term[:1] == ("member",))
 
 
+def asked_in(plans: Iterable[Plan], told: Collection[str]) -> Callable[[str], bool]:
+    """Whether anything but activities asks for the messages of a channel: a line of a plan, or something else
+    that asks for messages of the types `told`, even if no agent reads these."""
+    seen = frozenset[str]().union(*map(looked_at, plans))
+    return lambda channel: channel in seen or channel.rpartition(".")[2] in told
+
+
 def published(action: tuple[object, ...]) -> str | None:
     """The channel for which an action publishes or prepares a message."""
     match action:
@@ -235,13 +242,13 @@ __all__ = [
     "OPEN",
     "Open",
     "StandsFor",
+    "asked_in",
     "assigned",
     "by_lines",
     "by_lines_of",
     "copied",
     "events",
     "lists_of",
-    "looked_at",
     "published",
     "raised_by",
     "receivers",
