@@ -27,7 +27,6 @@ from collections import Counter, deque
 from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import Future, ProcessPoolExecutor
 from dataclasses import asdict, dataclass, replace
-from itertools import zip_longest
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -35,7 +34,7 @@ ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
 from benchmarks.models import RUNS, SCENARIOS, Made, Model, digest, models  # noqa: E402
-from tests.support.model_mutants import KINDS, ModelMutant, model_mutants  # noqa: E402
+from tests.support.model_mutants import KINDS, ModelMutant, in_turns, model_mutants, shuffled  # noqa: E402
 
 KEPT = ROOT / ".mutants"
 BEGIN, END = "<!-- figures -->", "<!-- end of figures -->"
@@ -74,13 +73,8 @@ def candidates(chosen: Sequence[Model], seed: int) -> Iterator[Candidate]:
         for file in model.files:
             for mutant in model_mutants(file.read_text("utf-8")):
                 by_kind[mutant.kind].append(Candidate(model, file, mutant))
-        for items in by_kind.values():
-            chance.shuffle(items)
-        order = [items for items in by_kind.values() if items]
-        chance.shuffle(order)
-        queues.append([item for turn in zip_longest(*order) for item in turn if item is not None])
-    for turn in zip_longest(*queues):
-        yield from (item for item in turn if item is not None)
+        queues.append(shuffled(by_kind.values(), chance))
+    yield from in_turns(queues)
 
 
 @dataclass(frozen=True, slots=True)

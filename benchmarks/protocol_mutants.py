@@ -20,7 +20,6 @@ import time
 from collections import Counter
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
-from itertools import zip_longest
 from pathlib import Path
 from tempfile import TemporaryDirectory
 
@@ -42,7 +41,7 @@ from aseme_dsl.runtime.trace.records import Record  # noqa: E402
 from aseme_dsl.runtime.version.loading import Loaded, load_system  # noqa: E402
 from aseme_dsl.source import Source  # noqa: E402
 from tests.cli.test_prove import BUY, LATE  # noqa: E402
-from tests.support.model_mutants import KINDS, ModelMutant, model_mutants  # noqa: E402
+from tests.support.model_mutants import KINDS, ModelMutant, in_turns, model_mutants, shuffled  # noqa: E402
 
 LIBRARY = ("propose", "request", "query")
 OWN = {"buy": BUY, "ask": LATE}
@@ -88,13 +87,8 @@ def candidates(seed: int) -> Iterator[Candidate]:
         for mutant in model_mutants(text):
             if first < mutant.line <= last:
                 by_kind[mutant.kind].append(Candidate(name, mutant))
-        for items in by_kind.values():
-            chance.shuffle(items)
-        order = [items for items in by_kind.values() if items]
-        chance.shuffle(order)
-        queues.append([item for turn in zip_longest(*order) for item in turn if item is not None])
-    for turn in zip_longest(*queues):
-        yield from (item for item in turn if item is not None)
+        queues.append(shuffled(by_kind.values(), chance))
+    yield from in_turns(queues)
 
 
 def scope_for(name: str, text: str) -> tuple[Scope, Compiled] | None:

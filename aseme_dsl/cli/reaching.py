@@ -85,14 +85,17 @@ def reached(key: Path | None, output: Path, system: str | None = None) -> Iterat
         raise not_done([str(problem)], output) from problem
 
 
-def cannot(problem: OperateError, output: Path, as_json: bool, **members: object) -> int:
-    """Report what cannot be done: as JSON, with further members, and exit code 1; or as a refusal.
+def cannot(
+    problem: OperateError, output: Path, as_json: bool, first: str | None = None, **members: object
+) -> int:
+    """Report what cannot be done: as JSON, with further members, and exit code 1; or as a refusal, of which
+    `first` says what became of the team.
 
     Raises:
         Refused: without JSON.
     """
     if not as_json:
-        raise not_done(problem.args, output) from problem
+        raise not_done(problem.args, output, first) from problem
     print_json({"ok": False, **members, "reasons": list(problem.args)})
     return 1
 

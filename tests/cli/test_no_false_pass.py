@@ -9,6 +9,7 @@ import pytest
 
 from tests.cli.support import Here
 from tests.cli.test_prove import BUY, CENTRES, FORGED
+from tests.cli.test_prove_pairs import LEASE
 
 HEAD = """\
 system S
@@ -39,50 +40,6 @@ LONG = (
     + "  control robot { leave Count : [n == 40]  repeat Count : else / n = n + 1 }\n}\n"
     + 'property "p" { never robot in Work }\n'
 )
-
-LEASE = """\
-system Lease
-
-message Order    { int to }
-message Identity { int number }
-topic team { state Order }
-topic my   { state Identity }
-
-srm boss {
-  liveness { boss = Give~ }
-  activities {
-    Give takes 1s simulated
-                  writes     team.state.Order
-                  guarantees no sent Order b [b.to != 0 && b.to != a.to] within 2s
-        after sent Order a [a.to != 0]
-  }
-}
-
-srm worker {
-  liveness { worker = (Rest . Work)~ }
-  activities { Rest takes 100ms simulated  Work waits }
-
-  let mine = age(team.state.Order) < 1700ms && team.state.Order.to == my.state.Identity.number
-
-  control worker {
-    enter  Work          : [mine]
-    repeat (Rest . Work) :
-    leave  Work          : when [!mine]
-  }
-}
-
-team Lease {
-  one        : boss
-  two, three : worker
-}
-
-property "one works" {
-  assume network delay 0ms..300ms
-  assume two has [my.state.Identity.number == 2]
-  assume three has [my.state.Identity.number == 3]
-  at most one Work
-}
-"""
 
 WAYS = {
     "few states": (LONG, ["--states", "20"], "p"),

@@ -11,11 +11,15 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from itertools import pairwise
+from itertools import pairwise, zip_longest
+from random import Random
+from typing import TypeVar
 
 from aseme_dsl.grammar.parsing.terminals import read
 from aseme_dsl.grammar.text.token import Token
 from aseme_dsl.source import Source
+
+T = TypeVar("T")
 
 KINDS = (
     "condition negated",
@@ -324,4 +328,21 @@ def _operand(tokens: Sequence[Token], step: int) -> Sequence[Token]:
     return tokens
 
 
-__all__ = ["KINDS", "ModelMutant", "model_mutants"]
+def in_turns(queues: Iterable[Sequence[T]]) -> Iterator[T]:
+    """The first of each queue, then the second of each, to the end."""
+    for turn in zip_longest(*queues):
+        yield from (item for item in turn if item is not None)
+
+
+def shuffled(kinds: Iterable[list[T]], chance: Random) -> list[T]:
+    """What is of several kinds, in a random order in which the kinds take turns."""
+    order = []
+    for items in kinds:
+        chance.shuffle(items)
+        if items:
+            order.append(items)
+    chance.shuffle(order)
+    return list(in_turns(order))
+
+
+__all__ = ["KINDS", "ModelMutant", "in_turns", "model_mutants", "shuffled"]

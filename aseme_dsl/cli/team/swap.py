@@ -6,7 +6,7 @@ from pathlib import Path
 
 import click
 
-from aseme_dsl.cli.reaching import key_option, not_done, reached, within_option
+from aseme_dsl.cli.reaching import cannot, key_option, not_done, reached, within_option
 from aseme_dsl.cli.shared import (
     TARGET_HELP,
     colour_option,
@@ -93,10 +93,7 @@ def command(
             name, model = write_version(compiled.system, output, choice, code)
             done = swap(output, name, within=within, agents=agents or None, robots=robots, quorum=quorum)
     except OperateError as problem:
-        if as_json:
-            print_json({"ok": False, "reasons": list(problem.args), **diagnostics_json(found)})
-            return 1
-        raise not_done(problem.args, output, "nothing has changed:") from problem
+        return cannot(problem, output, as_json, "nothing has changed:", **diagnostics_json(found))
     status = 0 if done.is_whole else SOME if done.changed or done.unknown else 1
     if as_json:
         told: dict[str, object] = {"changed": list(done.changed), "unchanged": dict(done.unchanged)}

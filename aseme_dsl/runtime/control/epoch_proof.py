@@ -22,8 +22,7 @@ Doubt = Callable[[Epoch], str]
 def proven(key: Key, system: str, epoch: Epoch, members: Iterable[str], quorum: int) -> Epoch:
     """An epoch with a proof for each member for which the key is known."""
     known = {name: secret for name in sorted(members) if (secret := key.of(name)) is not None}
-    made = replace(epoch, proof=Proof(key.name, quorum, dict.fromkeys(known, "")))
-    macs = {name: _mac(secret, system, name, made) for name, secret in known.items()}
+    macs = {name: _mac(secret, system, name, epoch, quorum, known) for name, secret in known.items()}
     return replace(epoch, proof=Proof(key.name, quorum, macs))
 
 
@@ -43,7 +42,7 @@ def doubt_of(keys: Path, system: str, robot: str) -> Doubt:
             return f"{name} is proven by the key {epoch.proof.key[:40]!r}, which is not accepted here"
         if robot not in epoch.proof.members:
             return f"the proof of {name} is not for {robot}"
-        right = _mac(secret, system, robot, epoch)
+        right = _mac(secret, system, robot, epoch, epoch.proof.quorum, epoch.proof.members)
         return (
             "" if hmac.compare_digest(right, epoch.proof.members[robot]) else f"the proof of {name} is wrong"
         )
@@ -61,10 +60,8 @@ def all_doubt(epoch: Epoch) -> str:
     return f"epoch {epoch.number} cannot be proven here: no `control` names operators' keys"
 
 
-def _mac(secret: bytes, system: str, robot: str, epoch: Epoch) -> str:
-    assert epoch.proof is not None
-    members = sorted(epoch.proof.members)
-    about = [system, robot, epoch.number, epoch.hash, epoch.base, epoch.proof.quorum, *members]
+def _mac(secret: bytes, system: str, robot: str, epoch: Epoch, quorum: int, members: Iterable[str]) -> str:
+    about = [system, robot, epoch.number, epoch.hash, epoch.base, quorum, *sorted(members)]
     return proof("epoch", secret, [json.dumps(part) for part in about])
 
 
