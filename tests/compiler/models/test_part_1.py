@@ -16,10 +16,11 @@ ROOT = Path(__file__).parents[3]
 HERE = Path(__file__).parent / "part_1"
 WRITTEN = [
     *sorted((ROOT / "tests" / "acceptance").glob("*.aseme")),
-    ROOT / "examples" / "robocup" / "kouretes.aseme",
+    HERE / "robocup" / "kouretes.aseme",
     *sorted(HERE.glob("*.aseme")),
 ]
-"""The acceptance files, an example, random programs in all of part 1, and one whose names part 2 uses."""
+"""The acceptance files, an example as it was before its text changed, random programs in all of part 1, and
+one whose names part 2 uses."""
 
 FINGERPRINTS: dict[str, dict[str, str]] = json.loads((HERE / "fingerprints.json").read_text("utf-8"))
 """The SHA-256 of each model, as it was when the language had only its part 1. Never made anew."""
