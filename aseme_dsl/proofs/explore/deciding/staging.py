@@ -174,8 +174,10 @@ def looked_at(plan: Plan) -> frozenset[str]:
 
 
 def asked_in(plans: Iterable[Plan], told: Collection[str]) -> Callable[[str], bool]:
-    """Whether anything but activities asks for the messages of a channel: a line of a plan, or something else
-    that asks for messages of the types `told`, even if no agent reads these."""
+    """Whether anything but activities asks for the messages of a channel.
+
+    Lines of plans do. Something else asks for messages of the types `told`, even if no agent reads these.
+    """
     seen = frozenset[str]().union(*map(looked_at, plans))
     return lambda channel: channel in seen or channel.rpartition(".")[2] in told
 
