@@ -182,8 +182,8 @@ class RecordedInputs:
             case "variable":
                 value = record["value"]
                 name = record["variable"]
-                kind = _type_of(chart, messages, name)
-                return Written(name, value if value is None else from_json(kind, value))
+                said = {item.name: item.type for item in chart.PLAN.variables}[name]
+                return Written(name, value if value is None else from_json(_type(said, messages), value))
             case "activity":
                 return Crashed(record["label"], record["token"], record.get("reason", ""))
             case _ if record["what"] == "settled":
@@ -235,13 +235,14 @@ class RecordedInputs:
         )
 
 
-def _type_of(chart: Chart, messages: Messages, name: str) -> object:
-    """The Python type of what a variable holds. Raises LookupError or TypeError if there is none."""
-    said = {item.name: item.type for item in chart.PLAN.variables}[name]
+def _type(said: str, messages: Messages) -> object:
+    """The Python type of what a variable of a type holds. Raises LookupError if there is none."""
     element = said.removeprefix("list of ")
     if element != said:
-        return GenericAlias(tuple, (messages.get(element) or TYPES[element][-1], ...))
-    return messages.get(said) or type(chart.variable(name))
+        return GenericAlias(tuple, (_type(element, messages), ...))
+    if said == "agent":
+        return str
+    return messages.get(said) or TYPES[said][-1]
 
 
 def identity_of(value: InputName) -> Identity:

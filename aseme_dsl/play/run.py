@@ -132,7 +132,7 @@ def play(
     observer = Observer(script, inputs, teller=teller)
     acting = {item.activity: item for item in script.activities}
     is_alone = script.world is None
-    hand = None if script.stepwise is None else ByHand(script, inputs, loaded.messages)
+    hand = None if script.stepwise is None else ByHand(script, inputs, loaded.types)
     charts = {
         role: staged(chart, acting, is_alone) if hand is None else waiting(chart)
         for role, chart in loaded.charts.items()
@@ -141,7 +141,7 @@ def play(
         charts = {role: recorder.listening(chart) for role, chart in charts.items()}
     try:
         if hand is None:
-            find = finder(script, inputs, loaded.messages, real, loaded.charts)
+            find = finder(script, inputs, loaded.types, real, loaded.charts)
         else:
             charts_of = loaded.charts.values()
             find = hand.find({info.name: info for chart in charts_of for info in chart.PLAN.activities})
@@ -260,7 +260,7 @@ class _Stage:
                 self.hand.gets(act, span)
             case Computes():
                 assert self.hand is not None
-                self.hand.computes(agent, act, self.inputs)
+                self.hand.computes(agent, act)
             case _:
                 assert_never(act)
         if self.watch is not None and isinstance(act, Crashes | Restarts):

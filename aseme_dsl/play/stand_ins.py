@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Callable, Generator, Mapping
+from collections.abc import Callable, Generator, Mapping, Sequence
 from dataclasses import replace
 from random import Random
 from typing import cast
 
 from aseme_dsl.amola.expression import Value
+from aseme_dsl.amola.messages import Kind, Type
 from aseme_dsl.play.evaluate import Known, value_of
 from aseme_dsl.play.scenario import Acting, Content, Lasts, Script
 from aseme_dsl.runtime.activity.activities import Activity, ActivityError, ActivityFinder, Executable
@@ -20,8 +21,8 @@ from aseme_dsl.runtime.message.as_json import from_json
 from aseme_dsl.runtime.time.clock import SECOND
 from aseme_dsl.source import Span
 
-Messages = Mapping[str, type[object]]
-"""The message classes by name."""
+Types = Mapping[str, type[object]]
+"""The classes of messages and enums by name."""
 
 
 class ActedFailure(Exception):
@@ -37,26 +38,40 @@ class NotComputed(Exception):
         self.reason = reason
 
 
-def given_message(content: Content, messages: Messages, inputs: Mapping[str, object]) -> object:
+def given_message(content: Content, types: Types, inputs: Mapping[str, object]) -> object:
     """The message that is given. Raises NotComputed for a member that has no value."""
     data: dict[str, object] = {}
     for path, value in content.members:
         inside = data
         for name in path[:-1]:
             inside = cast("dict[str, object]", inside.setdefault(name, {}))
-        inside[path[-1]] = computed(value, inputs)
+        inside[path[-1]] = _told(value, inputs)
     try:
-        return from_json(messages[content.channel.rpartition(".")[2]], data)
+        return from_json(types[content.channel.rpartition(".")[2]], data)
     except ValueError as error:
         raise NotComputed(content.span, str(error)) from error
 
 
-def computed(value: Value, inputs: Mapping[str, object]) -> object:
-    """The value that is given. Raises NotComputed if there is none."""
+def computed(value: Value, inputs: Mapping[str, object], types: Types) -> object:
+    """The value that is given, as agents have it. Raises NotComputed if there is none."""
+    return _typed(_told(value, inputs), value.type, types)
+
+
+def _told(value: Value, inputs: Mapping[str, object]) -> object:
+    """The value that is given, as a trace tells it. Raises NotComputed if there is none."""
     found = value_of(value, Known(inputs=inputs))
     if found is None:
         raise NotComputed(value.span, f"{value.span.text} has no value here")
     return found
+
+
+def _typed(told: object, kind: Type, types: Types) -> object:
+    """A value that was told as agents have it, with constants of enums instead of their names."""
+    if kind.kind is Kind.ENUM:
+        return from_json(types[kind.name], told)
+    if kind.element is not None:
+        return [_typed(item, kind.element, types) for item in cast("Sequence[object]", told)]
+    return told
 
 
 def duration_of(lasts: Lasts | None, chance: Random) -> int:
@@ -111,7 +126,7 @@ def waiting(chart: type[Chart]) -> type[Chart]:
 def finder(
     script: Script,
     inputs: Mapping[str, object],
-    messages: Messages,
+    types: Types,
     real: ActivityFinder,
     charts: Mapping[str, type[Chart]],
 ) -> ActivityFinder:
@@ -135,7 +150,7 @@ def finder(
         raise NotComputed(content.span, "no other participant receives it where the activity runs")
 
     stand_ins = {
-        item.activity: _stand_in(item, inputs, messages, receivers)
+        item.activity: _stand_in(item, inputs, types, receivers)
         for item in script.activities
         if not item.real
     }
@@ -160,7 +175,7 @@ def finder(
 def _stand_in(
     acting: Acting,
     inputs: Mapping[str, object],
-    messages: Messages,
+    types: Types,
     receivers: Callable[[str, str, Content], str],
 ) -> type[Executable]:
     starts: Counter[str] = Counter()
@@ -178,17 +193,17 @@ def _stand_in(
             if fails:
                 raise ActedFailure(f"{acting.activity} fails, as the scenario says")
             for name, value in acting.sets:
-                context.set_variable(name, computed(value, inputs))
+                context.set_variable(name, computed(value, inputs, types))
             for item in acting.writes:
                 if item.every is None:
                     _publish(context, item.content)
             for content in acting.sends:
                 to = receivers(context.agent, context.label, content)
-                context.send(content.performative or "", given_message(content, messages, inputs), to)
+                context.send(content.performative or "", given_message(content, types, inputs), to)
             return acting.ends[min(starts[context.agent], len(acting.ends)) - 1] if acting.ends else None
 
     def _publish(context: Context, content: Content) -> None:
-        context.publish(content.channel, given_message(content, messages, inputs))
+        context.publish(content.channel, given_message(content, types, inputs))
 
     def _waiting(context: Context, end: int) -> Generator[float, None, None]:
         """Let time pass until `end`, and publish what is written again and again."""
@@ -206,8 +221,8 @@ def _stand_in(
 
 __all__ = [
     "ActedFailure",
-    "Messages",
     "NotComputed",
+    "Types",
     "computed",
     "duration_of",
     "finder",

@@ -9,7 +9,7 @@ from typing import cast
 
 from aseme_dsl.amola.expression import Value
 from aseme_dsl.play.scenario import Computes, Content, Does, Gets, Script
-from aseme_dsl.play.stand_ins import ActedFailure, Messages, NotComputed, computed, given_message
+from aseme_dsl.play.stand_ins import ActedFailure, NotComputed, Types, computed, given_message
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.activity.activities import Activity, Executable
 from aseme_dsl.runtime.activity.codeless import WITHOUT_CODE
@@ -58,10 +58,10 @@ class _Letter:
 class ByHand:
     """What moves a team that is played by hand: its links, and what its activities do."""
 
-    def __init__(self, script: Script, inputs: Mapping[str, object], messages: Messages) -> None:
+    def __init__(self, script: Script, inputs: Mapping[str, object], types: Types) -> None:
         self._until = NEVER if script.stepwise is None else script.stepwise
         self._inputs = inputs
-        self._messages = messages
+        self._types = types
         self._team: Team | None = None
         self._ways: dict[tuple[str, str], list[_Letter]] = {}
         self._acts: dict[tuple[str, str], list[_Act]] = {}
@@ -121,9 +121,9 @@ class ByHand:
 
     # ---- what functions give -----------------------------------------------------------------
 
-    def computes(self, agent: Agent, act: Computes, inputs: Mapping[str, object]) -> None:
+    def computes(self, agent: Agent, act: Computes) -> None:
         """A function gives an agent this value from now on."""
-        value = computed(act.value, inputs)
+        value = self._computed(act.value)
         chart = agent.chart
         if act.function == "random":
             chart.chance = cast("Random", _Drawn(value))
@@ -190,10 +190,10 @@ class ByHand:
             raise ActedFailure(f"{act.acting.activity} fails, as the scenario says")
 
     def _given(self, content: Content) -> object:
-        return given_message(content, self._messages, self._inputs)
+        return given_message(content, self._types, self._inputs)
 
     def _computed(self, value: Value) -> object:
-        return computed(value, self._inputs)
+        return computed(value, self._inputs, self._types)
 
 
 def _until(context: Context, moment: int) -> Generator[float, None, None]:

@@ -122,7 +122,7 @@ def _members(message: object, at: Path) -> Iterator[tuple[Path, object]]:
         value = getattr(message, item.name)
         if is_dataclass(value):
             yield from _members(value, (*at, item.name))
-        elif value is not None:
+        elif value is not None and value != ():  # what is absent or empty is so by itself
             yield (*at, item.name), value
 
 

@@ -44,9 +44,9 @@ class Open:
 class Decisions:
     """The decisions of one move. A question has the same answer in both versions."""
 
-    def __init__(self, plans: Sequence[Plan], messages: Mapping[str, type[object]]) -> None:
+    def __init__(self, plans: Sequence[Plan], types: Mapping[str, type[object]]) -> None:
         self.choices = Choices()
-        self.values = Values(plans, messages, ("other1", "other2"))
+        self.values = Values(plans, types, ("other1", "other2"))
         self._asked = _Asked(plans)
         self._ways = self._left = 0
         self._is_open = False

@@ -212,7 +212,7 @@ def compare(
     `agents` are the names of the agent that plays it, in each version.
     """
     plans = old.plan, new.plan
-    decisions = Decisions(plans, {**old.messages, **new.messages})
+    decisions = Decisions(plans, {**old.types, **new.types})
     channels = open_channels(plans)
     first, second = (
         Side(version, agent, decisions, channels) for version, agent in zip((old, new), agents, strict=True)

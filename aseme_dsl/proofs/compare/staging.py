@@ -24,10 +24,10 @@ LONG_AGO = -(10**18)
 
 @dataclass(frozen=True, slots=True)
 class Version:
-    """A role in one version: its generated statechart, and the messages of its system by name."""
+    """A role in one version: its generated statechart, and the messages and enums of its system by name."""
 
     chart: type[Chart]
-    messages: Mapping[str, type[object]]
+    types: Mapping[str, type[object]]
     names: Mapping[str, str] = field(default_factory=dict)
     """What is called otherwise in the other version: its name there by that here."""
 
@@ -62,8 +62,8 @@ class Stage:
         """`channels` are those whose latest message is decided when it is read."""
         self.decisions = decisions
         self.open = channels
-        self.messages = version.messages
-        self.enums: Enums = enums_of(version.messages)
+        self.messages = version.types
+        self.enums: Enums = enums_of(version.types)
         self.now: int | None = None
         """The time of the present step; None between two of them, when nothing is decided."""
         self._draws = 0

@@ -147,7 +147,7 @@ class Explored:
             for name, role in team
             for channel in reads_of(loaded.charts[role].PLAN)
         ]
-        self.values = Values(plans, loaded.messages, names, fixed_in(known), is_few=alone is not None)
+        self.values = Values(plans, loaded.types, names, fixed_in(known), is_few=alone is not None)
         self._outcomes = Outcomes(self.choices)
         self.later = Later(self.choices, self.values, self._outcomes)
         contents = Contents(self.choices, self.values, self.later, loaded.messages, told)

@@ -17,6 +17,7 @@ import sys
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import field, is_dataclass, replace
+from enum import IntEnum
 from importlib.abc import Loader, MetaPathFinder
 from importlib.machinery import ModuleSpec
 from pathlib import Path
@@ -80,11 +81,18 @@ class Loaded:
     mixture: RoleBackends = PURE
     code: VersionFiles | None = None
     """The version that it was loaded from; None: the build itself."""
+    enums: Mapping[str, type[IntEnum]] = field(default_factory=dict)
+    """The classes of its enums by name."""
 
     @property
     def plans(self) -> tuple[Plan, ...]:
         """The plans of the roles."""
         return tuple(chart.PLAN for chart in self.charts.values())
+
+    @property
+    def types(self) -> Mapping[str, type[object]]:
+        """The classes of its messages and enums by name."""
+        return {**self.messages, **self.enums}
 
 
 _lent: set[Path] = set()
@@ -361,6 +369,11 @@ def _load_package(
             for key, kind in vars(messages).items()
             if isinstance(kind, type) and kind.__module__ == messages.__name__ and is_dataclass(kind)
         }
+        enums = {
+            key: kind
+            for key, kind in vars(messages).items()
+            if isinstance(kind, type) and kind.__module__ == messages.__name__ and issubclass(kind, IntEnum)
+        }
         for kind in classes.values():
             member_types(kind)  # while their module can be found under its name
     system = str(getattr(package, "SYSTEM", folder.name))
@@ -369,7 +382,20 @@ def _load_package(
     modules = {key: module for key, module in sys.modules.items() if _is_inside(key, (name,))}
     modules[parent] = sys.modules[parent]
     sources = dict(getattr(package, "SOURCES", {}))
-    return Loaded(system, charts, team, classes, schema, model, sources, folder, folders, modules, code=code)
+    return Loaded(
+        system,
+        charts,
+        team,
+        classes,
+        schema,
+        model,
+        sources,
+        folder,
+        folders,
+        modules,
+        code=code,
+        enums=enums,
+    )
 
 
 def _has_module(folder: Path, name: str) -> bool:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Hashable, Sequence
+from enum import Enum
 from typing import TypeVar
 
 _T = TypeVar("_T")
@@ -51,10 +52,14 @@ class Choices:
             chosen = answers[self._script[self._place]]
             self._place += 1
             if text and chosen is not None:
-                self.said.append(text.format(chosen))
+                self.say(text, chosen)
         self._made[question] = chosen
         self.note(question, chosen)
         return chosen
+
+    def say(self, text: str, answer: object) -> None:
+        """Tell readers what was decided: a text with `{}` for the answer."""
+        self.said.append(text.format(answer.name if isinstance(answer, Enum) else answer))
 
     def note(self, what: Hashable, value: object = None) -> None:
         """Something is to be known beside the decisions."""

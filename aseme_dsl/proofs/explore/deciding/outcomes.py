@@ -142,7 +142,7 @@ class Outcomes:
             heard[self._mark : self._mark] = chosen.items()
         for question, answer in chosen.items():
             if answer is not None:
-                self._choices.said.append(self._texts[question].format(answer))
+                self._choices.say(self._texts[question], answer)
             yield question, answer
 
 

@@ -66,15 +66,17 @@ class Values:
     def __init__(
         self,
         plans: Iterable[Plan],
-        messages: Mapping[str, type[object]],
+        types: Mapping[str, type[object]],
         agents: Sequence[str],
         fixed: Mapping[Place, frozenset[object]] | None = None,
         is_few: bool = False,
     ) -> None:
-        """What may stand at the places in `fixed` is known. `is_few`: as few values as possible are tried."""
+        """`types` are the classes of messages and enums by name. What may stand at the places in `fixed` is
+        known. `is_few`: as few values as possible are tried."""
         self.fixed: Mapping[Place, frozenset[object]] = {} if fixed is None else fixed
         self._is_few = is_few
-        self._messages = messages
+        self._enums = enums_of(types)
+        self._messages = {name: kind for name, kind in types.items() if name not in self._enums}
         self._agents = tuple(agents)
         self._parents: dict[Place, Place] = {}
         self._classes: dict[Place, _Class] = {}
@@ -99,7 +101,7 @@ class Values:
         """What a function of the document may give."""
         if kind in self._messages:
             return self.contents(kind)
-        return self.tried_for((f"{function}()", ()), _type(kind, self._messages))
+        return self.tried_for((f"{function}()", ()), _type(kind, self._enums))
 
     def of_variable(self, variable: Variable) -> tuple[object, ...]:
         """What an activity may write to a variable."""
@@ -110,9 +112,9 @@ class Values:
         place = (name, ())
         if variable.type == "agent":
             return self._agents
-        if variable.type.endswith("[]") or not self.is_read(place):
+        if variable.type.startswith("list of ") or not self.is_read(place):
             return ()
-        return self.tried_for(place, _type(variable.type, self._messages))
+        return self.tried_for(place, _type(variable.type, self._enums))
 
     def held(self, variable: Variable) -> tuple[object, ...]:
         """What a variable holds when an activity may have written it: what it holds at first, or one of what
@@ -120,7 +122,10 @@ class Values:
         tried = self.of_variable(variable)
         if tried and variable.bounds is not None and variable.type == "double":
             tried = (*tried, *map(float, variable.bounds))  # what is between may be beyond these
-        found = (variable.initial, *tried)
+        initial = variable.initial
+        if variable.type in self._enums:
+            initial = self._enums[variable.type](cast(int, initial))
+        found = (initial, *tried)
         return tuple(dict.fromkeys(item for item in found if _can_hold(variable, item)))
 
     def contents(self, message: str) -> tuple[object, ...]:
@@ -409,7 +414,7 @@ def _can_hold(variable: Variable, value: object) -> bool:
 # ---- types ------------------------------------------------------------------------------------------
 
 
-def _type(name: str, messages: Mapping[str, type[object]]) -> object:
+def _type(name: str, enums: Mapping[str, type[IntEnum]]) -> object:
     plain: dict[str, object] = {"bool": bool, "int": int, "double": float, "string": str}
     if name in plain:
         return plain[name]
@@ -417,17 +422,12 @@ def _type(name: str, messages: Mapping[str, type[object]]) -> object:
         return int
     if name == "agent":
         return str
-    return enums_of(messages).get(name, name)
+    return enums.get(name, name)
 
 
-def enums_of(messages: Mapping[str, type[object]]) -> dict[str, type[IntEnum]]:
-    """The enums of members of messages, by their names."""
-    found: dict[str, type[IntEnum]] = {}
-    for kind in messages.values():
-        for item in member_types(cast(type, kind)).values():
-            if isinstance(item, type) and issubclass(item, IntEnum):
-                found[item.__name__] = item
-    return found
+def enums_of(types: Mapping[str, type[object]]) -> dict[str, type[IntEnum]]:
+    """The enums among some types, by their names."""
+    return {name: kind for name, kind in types.items() if issubclass(kind, IntEnum)}
 
 
 def _path(path: Iterable[object]) -> tuple[str, ...]:
