@@ -13,6 +13,7 @@ from aseme_dsl.cli.playing import build_target, lines_without_code
 from aseme_dsl.cli.shared import Refused, colour_option, folder_option, gathered
 from aseme_dsl.diagnostics import Diagnostic, Problem, has_errors
 from aseme_dsl.diagnostics.problems.settings import HostUnknown, NotDeployed
+from aseme_dsl.project.deploying.install import KEEP
 from aseme_dsl.records import dataclass
 
 if TYPE_CHECKING:
@@ -103,7 +104,7 @@ def _default_python() -> str:
     "--keep",
     type=click.IntRange(1),
     metavar="N",
-    default=5,
+    default=KEEP,
     show_default=True,
     help="Versions that remain on a host. The active one and the one before always do.",
 )

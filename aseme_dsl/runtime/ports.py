@@ -93,6 +93,10 @@ class Driver(Scheduler, Protocol[RunningT]):
         """Only this thread touches the agent's chart meanwhile."""
         ...
 
+    def hold(self, agent: Stepping) -> AbstractContextManager[object]:
+        """As `guard`, for a swap: that it takes long is not a fault of the agent."""
+        ...
+
     def launch(self, execution: RunningT) -> None:
         """Run the code of an activity; `execution.returned` is called at its end."""
         ...

@@ -17,6 +17,7 @@ from typing import Any
 
 import pytest
 
+from aseme_dsl.project.operating import health
 from aseme_dsl.runtime.control import control_socket
 from aseme_dsl.runtime.control.control import Control
 from aseme_dsl.runtime.control.control_socket import ControlError, ask, endpoints, listening
@@ -215,6 +216,25 @@ def test_who_hears_no_more_goes_on_as_it_was(tmp_path: Path) -> None:
         wait_until(lambda: [agent.steps for agent in team.agents] > steps)
     (line,) = [r for r in records if r["kind"] == "swap"]
     assert (line["what"], line["reasons"]) == ("rolled back", ["no supervisor has confirmed it within 2 s"])
+
+
+def test_agents_that_a_swap_holds_are_not_stuck(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(health, "PATIENCE", 0.2)
+    name, _ = package(tmp_path, LONGER)
+    looks: list[health.Health] = []
+    with Running() as (team, records):
+        looker = health.Looker(team, looks.append, 0.1)
+        looker.begin()
+        control = Control(team, store=tmp_path / "versions")
+        reply = said(control, request="swap", phase="prepare", hash=name, within=60, hold=3)
+        wait_until(lambda: any(look.notes == ("a swap holds a", "a swap holds b") for look in looks))
+        held = len(looks)
+        wait_until(lambda: len(looks) >= held + 25)
+        said(control, request="swap", phase="rollback", id=reply["id"])
+        wait_until(lambda: looks[-1].notes == ())
+        looker.close()
+    assert [look.reasons() for look in looks if look.begun and not look.is_ready] == []
+    assert [record for record in records if record["kind"] == "fault"] == []
 
 
 def test_who_has_committed_goes_on_to_the_end(tmp_path: Path) -> None:

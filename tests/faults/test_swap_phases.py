@@ -141,11 +141,10 @@ def test_one_version_in_the_end_and_what_is_said_of_it_is_true(data: st.DataObje
     refused = False
     with (
         mock.patch.object(swapping, "ask_each", ask_each),
-        mock.patch.object(swapping, "whole_team", lambda *more: team),
         mock.patch.object(swapping, "time", SimpleNamespace(monotonic=clock.monotonic, sleep=clock.sleep)),
     ):
         try:
-            done = swapping.swap(cast("Any", None), NEW, within=1.0, quorum=quorum)
+            done = swapping.swap(team, NEW, within=1.0, quorum=quorum)
         except OperateError:
             refused = True
         except Killed:

@@ -12,6 +12,7 @@ from typing import Any, cast
 import pytest
 
 from aseme_dsl.project.operating import swapping
+from aseme_dsl.project.operating.whole_team import whole_team
 from aseme_dsl.project.playing.operate import OperateError
 from aseme_dsl.project.playing.remote import Robot
 from aseme_dsl.runtime.control.catching_up import CatchingUp
@@ -164,7 +165,7 @@ def test_a_swap_over_the_network_leaves_a_proof_and_one_without_the_key_changes_
             assert control.epoch.number == 0 and not EpochFile(store, "a").path.exists()
             return
         key = newest_key(robots.operator)
-        done = swapping.swap(tmp_path, name, robots=[Robot("a", SYSTEM, key, cast("ZenohLink", Link()))])
+        done = swapping.swap(whole_team(tmp_path, [Robot("a", SYSTEM, key, cast("ZenohLink", Link()))]), name)
         assert done.epoch == 1 and done.is_whole
         kept = EpochFile(store, "a").read(control.epoch.base)
         assert kept.proof is not None and robots.doubt("a")(passed_on(kept)) == ""
@@ -198,7 +199,7 @@ def test_a_robot_s_part_of_a_key_is_good_for_this_robot_only(
     assert asemec("key", str(tmp_path / "d.toml"), "--for", "c").code == 2
     with pytest.raises(OperateError, match="is not for c, but for a, b"):
         robot = Robot("c", SYSTEM, newest_key(two), cast("ZenohLink", None))
-        swapping.swap(tmp_path, "0" * 64, robots=[robot])
+        swapping.swap(whole_team(tmp_path, [robot]), "0" * 64)
 
 
 @pytest.mark.parametrize("text", ['k = { a = "12" }', "k = { a = 1 }", "k = [1]", 'k = { a = { b = "c" } }'])

@@ -18,6 +18,7 @@ import jsonschema
 import pytest
 
 from aseme_dsl.project.operating import swapping
+from aseme_dsl.project.operating.whole_team import whole_team
 from aseme_dsl.project.playing import operate
 from aseme_dsl.project.playing.operable import operable
 from aseme_dsl.project.playing.remote import RemoteError, Robot, robots_of
@@ -596,7 +597,7 @@ def test_robots_that_have_not_changed_are_named(
     monkeypatch.setattr(swapping, "HOLD", 0.0)
     monkeypatch.setattr(operate, "Robot", Half)
     robots = [Half("ann"), Half("bob", lost=phase)]
-    done = swapping.swap(tmp_path, "0" * 64, robots=cast("list[Robot]", robots))
+    done = swapping.swap(whole_team(tmp_path, cast("list[Robot]", robots)), "0" * 64)
     assert done.changed == (("ann",) if phase == "finish" else ())
     assert done.unchanged["bob"] == "bob does not answer: it may have changed"
     assert done.unknown == ("bob",) and not done.is_whole
@@ -607,7 +608,7 @@ def test_robots_hear_what_follows_before_they_decide_alone(
 ) -> None:
     monkeypatch.setattr(operate, "Robot", Half)
     robots = [Half("ann"), Half("bob"), Half("cat", lost="prepare")]
-    done = swapping.swap(tmp_path, "0" * 64, robots=cast("list[Robot]", robots), quorum="2")
+    done = swapping.swap(whole_team(tmp_path, cast("list[Robot]", robots)), "0" * 64, quorum="2")
     assert done.changed == ("ann", "bob") and set(done.unchanged) == {"cat"} and not done.unknown
     assert robots[2].waited["prepare"] + 1.0 < swapping.HOLD
     assert robots[0].waited["commit"] + 1.0 < swapping.HOLD

@@ -67,12 +67,8 @@ def command(
     from aseme_dsl.diagnostics import Severity
     from aseme_dsl.project.building.build import activities_folder, choose
     from aseme_dsl.project.operating.swapping import swap
-    from aseme_dsl.project.playing.operate import (
-        OperateError,
-        activities_of,
-        answering,
-        write_version,
-    )
+    from aseme_dsl.project.operating.whole_team import whole_team
+    from aseme_dsl.project.playing.operate import OperateError, activities_of, write_version
     from aseme_dsl.project.settings.configuration import OUTPUT
 
     compiled = one_system(target, activities)
@@ -86,12 +82,14 @@ def command(
     output = output or compiled.configuration.output or Path(OUTPUT)
     try:
         with reached(key, output, compiled.system.name) as robots:
-            there = answering(output, robots)  # before anything is written
+            team = whole_team(output, robots)
+            if not team.nodes:  # then nothing is written
+                raise OperateError(*team.reasons())
             choice = choose(compiled.configuration)
             far = robots is not None  # their folders are not of this machine
-            code = activities or (activities_folder(output, choice) if far else activities_of(there))
+            code = activities or (activities_folder(output, choice) if far else activities_of(team.nodes))
             name, model = write_version(compiled.system, output, choice, code)
-            done = swap(output, name, within=within, agents=agents or None, robots=robots, quorum=quorum)
+            done = swap(team, name, within=within, agents=agents or None, quorum=quorum)
     except OperateError as problem:
         return cannot(problem, output, as_json, "nothing has changed:", **diagnostics_json(found))
     status = 0 if done.is_whole else SOME if done.changed or done.unknown else 1

@@ -29,7 +29,7 @@ class Health:
     problems: tuple[str, ...] = ()
     stuck: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
-    """What an operator may want to know: the agents elsewhere that are not connected."""
+    """What an operator may want to know: which agents a swap holds, and which elsewhere are not connected."""
 
     @property
     def is_ready(self) -> bool:
@@ -82,6 +82,7 @@ class Looker:
             return Health()
         now = time.monotonic()
         stuck: list[str] = []
+        held: list[str] = []
         if self._beats == 0 or self._beat > now - PATIENCE:
             self._beats += 1
             driver.at(driver.clock.now() + round(self._pause * SECOND / 2), self._mark, True)
@@ -92,13 +93,16 @@ class Looker:
         for agent in team.agents:
             if isinstance(driver, RealDriver) and driver.look(agent, _nothing, 0.05):
                 self._since.pop(agent.name, None)
+            elif isinstance(driver, RealDriver) and driver.is_held(agent):
+                self._since.pop(agent.name, None)
+                held.append(f"a swap holds {agent.name}")
             elif now - self._since.setdefault(agent.name, now) > PATIENCE:
                 stuck.append(f"{agent.name} has been in one step for {now - self._since[agent.name]:.1f} s")
         problems = [f"{a.name} failed: {a.chart.failure}" for a in team.agents if a.chart.failure is not None]
         if team.trace.error is not None:
             problems.append(team.trace.error)
         notes = [f"{name} is not connected" for name, peer in team.peers().items() if not peer.alive]
-        return Health(True, tuple(problems), tuple(stuck), tuple(notes))
+        return Health(True, tuple(problems), tuple(stuck), (*held, *notes))
 
     def _mark(self) -> None:
         self._beat = time.monotonic()

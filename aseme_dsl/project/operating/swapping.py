@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 from dataclasses import field
-from pathlib import Path
 from typing import TYPE_CHECKING
 
-from aseme_dsl.project.operating.whole_team import WholeTeam, whole_team
+from aseme_dsl.project.operating.whole_team import WholeTeam
 from aseme_dsl.project.playing.operate import Node, OperateError, Request, ask_each, unknown_agent
 from aseme_dsl.project.playing.remote import Robot
 from aseme_dsl.records import dataclass
@@ -69,22 +68,21 @@ def quorum_of(text: str, members: int) -> int:
 
 
 def swap(
-    output: Path,
+    team: WholeTeam,
     name: str,
     *,
     within: float = WITHIN,
     agents: Iterable[str] | None = None,
-    robots: Sequence[Robot] | None = None,
     quorum: str = "all",
 ) -> Swapped:
-    """Change what runs to the version of this hash: all members, or at least a quorum, or none.
+    """Change a team to the version of this hash: all members, or at least a quorum, or none.
 
-    `within` is how long, in seconds, it is waited for conversations that the new version plays differently.
+    `team` is what the processes have said of themselves. `within` is how long, in seconds, it is waited for
+    conversations that the new version plays differently.
 
     Raises:
         OperateError: the quorum is not reached; all continue as before.
     """
-    team = whole_team(output, robots)
     names = None if agents is None else list(dict.fromkeys(agents))
     known = {name for node in team.nodes for name in node.agents}
     for wanted in names or ():

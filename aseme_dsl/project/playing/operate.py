@@ -87,18 +87,6 @@ def nodes(output: Path, robots: Sequence[Robot] | None = None) -> tuple[Node, ..
     return there
 
 
-def answering(output: Path, robots: Sequence[Robot] | None = None) -> tuple[Node, ...]:
-    """The processes that run from an output folder and answer.
-
-    Raises:
-        OperateError: none does.
-    """
-    there, silent = look(output, robots)
-    if not there:
-        raise OperateError(*silent)
-    return there
-
-
 def select(output: Path, agent: str, plan: str, robots: Sequence[Robot] | None = None) -> Reply:
     """Have an agent leave its plan and enter another.
 

@@ -71,6 +71,9 @@ class Still:
     def guard(self, agent: Stepping) -> AbstractContextManager[object]:
         return _FREE
 
+    def hold(self, agent: Stepping) -> AbstractContextManager[object]:
+        return _FREE
+
     def launch(self, execution: Execution) -> None:
         """An activity runs from now on."""
         self.running.append(execution)

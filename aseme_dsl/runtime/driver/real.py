@@ -81,6 +81,8 @@ class RealDriver:
         self.owns: Callable[[Stepping], bool] = steps.owns
         self.wake: Callable[[Stepping], None] = steps.wake
         self.guard: Callable[[Stepping], AbstractContextManager[None]] = steps.guard
+        self.hold: Callable[[Stepping], AbstractContextManager[None]] = steps.hold
+        self.is_held: Callable[[Stepping], bool] = steps.is_held
         self.holding: Callable[[], AbstractContextManager[None]] = steps.holding
 
     @property

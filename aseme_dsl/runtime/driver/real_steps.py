@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager, contextmanager
 
@@ -14,6 +15,8 @@ RESTLESS = 1000
 """After so many steps that follow each other in one thread, another thread continues."""
 BRIEF = 20
 """After so many steps, a thread that only steps looks whether the run is over, and gives way to others."""
+MOST_HELD = 30.0
+"""A swap that holds an agent for longer than so many seconds is stuck itself."""
 
 
 class _Depth(threading.local):
@@ -58,6 +61,8 @@ class Steps:
         self._complain = complain
         self._locks: dict[str, threading.Lock] = {}
         self._owners: dict[str, int] = {}
+        self._held: dict[str, float] = {}
+        """The agents that a swap holds, and since when."""
         self._long: dict[str, tuple[int, int, int]] = {}
         self._restless: set[str] = set()
         self._depth = _Depth()
@@ -161,6 +166,20 @@ class Steps:
         if agent.intake:
             self.wake(agent)
 
+    @contextmanager
+    def hold(self, agent: Stepping) -> Iterator[None]:
+        """As `guard`, for a swap: that it takes long is not a fault of the agent."""
+        with self.guard(agent):
+            self._held[agent.name] = time.monotonic()
+            try:
+                yield
+            finally:
+                del self._held[agent.name]
+
+    def is_held(self, agent: Stepping) -> bool:
+        """Whether a swap holds the agent, and not for too long."""
+        return self._held.get(agent.name, -MOST_HELD) > time.monotonic() - MOST_HELD
+
     def look(self, agent: Stepping, call: Callable[[], None], seconds: float = PAUSE) -> bool:
         """Make a call between two steps of the agent; False if it is in a step for so many seconds."""
         lock = self._locks[agent.name]
@@ -179,7 +198,7 @@ class Steps:
         found: dict[str, tuple[int, int, int]] = {}
         for agent in agents if self._owners else ():
             thread = self._owners.get(agent.name)
-            if thread is None:
+            if thread is None or self.is_held(agent):
                 continue
             known, steps, looks = self._long.get(agent.name, (thread, agent.steps, 0))
             if (known, steps) == (thread, agent.steps):

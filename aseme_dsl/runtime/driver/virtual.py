@@ -116,6 +116,10 @@ class VirtualDriver:
         """Nothing to guard: only one thread runs."""
         return _FREE
 
+    def hold(self, agent: Stepping) -> AbstractContextManager[object]:
+        """Nothing to hold."""
+        return _FREE
+
     def look(self, agent: Stepping, call: Callable[[], None]) -> bool:
         """Make a call between two steps of the agent: at once."""
         call()

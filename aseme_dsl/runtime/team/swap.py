@@ -216,7 +216,7 @@ class Swap:
     def hold(self) -> bool:
         """Hold the agents where they are, if they can change there; the state says what came of it."""
         for agent in self.agents:
-            self._held.enter_context(agent.driver.guard(agent))
+            self._held.enter_context(agent.driver.hold(agent))
         self.reasons = self.busy()
         if self.reasons:
             self._held.close()
