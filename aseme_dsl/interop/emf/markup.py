@@ -43,8 +43,8 @@ class Element:
     text: str = ""
     """What stands directly inside, without the elements there."""
     namespace: str = ""
-    prefixed: frozenset[str] = frozenset()
-    """The attributes that had a prefix."""
+    prefixed: dict[str, str] = field(default_factory=dict)
+    """The attributes that had a prefix, with their namespaces."""
 
     def said(self, name: str) -> str:
         """An attribute without a prefix, and without blanks at its ends; "" if it is missing."""
@@ -115,7 +115,7 @@ class _Reader:
             raise Unreadable(f"it has more than {MOST} elements", place)
         plain = {key for key in attributes if _SIGN not in key}
         known = {_parts(key)[1]: value for key, value in attributes.items() if key not in plain}
-        prefixed = frozenset(known.keys() - plain)
+        prefixed = {local: space for space, local in map(_parts, attributes) if local not in plain}
         known |= {key: attributes[key] for key in plain}
         namespace, local = _parts(name)
         element = Element(local, known, place, namespace=namespace, prefixed=prefixed)

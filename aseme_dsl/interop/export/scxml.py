@@ -35,9 +35,11 @@ DataModel = Literal["ecmascript", "python"]
 NAMESPACE = "http://www.w3.org/2005/07/scxml"
 OWN = "urn:asemec:amola"
 """The namespace of the attributes that say which state of the `.aseme` file one is."""
+END = "END"
+"""The `type` in that namespace of an END. It is a `<state>`: SCION ends a session where all states that are
+active are final, also inner ones. It does what is to be done on their exit, and forgets what is delayed."""
 FINISHED = "asemec_finished"
 
-_ELEMENT = {Shape.COMPOUND: "state", Shape.PARALLEL: "parallel", Shape.ATOMIC: "state", Shape.FINAL: "final"}
 
 
 def scxml(machine: Machine, datamodel: DataModel = "ecmascript") -> str:
@@ -120,10 +122,11 @@ def _document(machine: Machine, datamodel: DataModel, page: _Page) -> Iterator[s
 
 
 def _state(machine: Machine, vertex: Vertex, page: _Page, indent: str) -> Iterator[str]:
-    element = _ELEMENT[vertex.shape]
+    element = "parallel" if vertex.shape is Shape.PARALLEL else "state"
     initial = f' initial="{vertex.children[0].id}"' if vertex.shape is Shape.COMPOUND else ""
     activity = f' amola:activity="{_attribute(vertex.activity)}"' if vertex.activity else ""
-    own = f' amola:label="{vertex.label}" amola:name="{_attribute(vertex.title)}"{activity}'
+    end = f' amola:type="{END}"' if vertex.shape is Shape.FINAL else ""
+    own = f' amola:label="{vertex.label}" amola:name="{_attribute(vertex.title)}"{activity}{end}'
     inner = [*_inner(machine, vertex, page, indent + "  ")]
     if not inner:
         yield f'{indent}<{element} id="{vertex.id}"{initial}{own}/>'

@@ -8,6 +8,7 @@ from itertools import count
 
 from aseme_dsl.interop.emf.charts import one_line
 from aseme_dsl.interop.emf.markup import Element, Unreadable, read_markup
+from aseme_dsl.interop.export.scxml import END, OWN
 from aseme_dsl.interop.machines.machine import (
     Assigning,
     Cancelling,
@@ -120,6 +121,8 @@ class _Reader:
     def node(self, element: Element, parent: Node | None) -> Node:
         """A state, without the states in it."""
         shape, name = _SHAPES[element.tag], one_line(element.said("id"))
+        if element.tag == "state" and element.prefixed.get("type") == OWN and element.get("type") == END:
+            shape = Shape.FINAL
         if parent is not None and name:
             if name in self.ids:
                 raise Unreadable(f"two states have the id `{name[:60]}`", element.place)

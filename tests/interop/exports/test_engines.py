@@ -147,6 +147,37 @@ def test_qt_does_the_same(recorded: Recorded) -> None:
     compare(on_qt([recording for _, recording in recorded()]), recorded())
 
 
+COMPLETE = """\
+system S
+statechart c {
+  state 0 OR  state 0.1 START  state 0.3 BASIC D  state 0.4 END
+  state 0.2 AND
+  state 0.2.1 OR  state 0.2.1.1 START  state 0.2.1.2 BASIC A  state 0.2.1.3 END
+  state 0.2.2 OR  state 0.2.2.1 START  state 0.2.2.2 BASIC B  state 0.2.2.3 END
+  0.1 -> 0.2 :  0.2.1.1 -> 0.2.1.2 :  0.2.2.1 -> 0.2.2.2 :
+  0.2.1.2 -> 0.2.1.3 :  0.2.2.2 -> 0.2.2.3 :
+  0.2 -> 0.3 : go
+  0.2 -> 0.4 : hop
+  0.3 -> 0.2 :
+  exit 0.2 : / raise hop
+}
+team T { me : c }
+"""
+
+
+def test_a_composite_that_is_complete_goes_on_where_only_ends_are_active() -> None:
+    """SCION ends a session as soon as all active states are final, also inner ones: it would do all `exit`."""
+    made = generate(COMPLETE)
+    found = [Recorder(made, "c").record(Choices(f"complete {seed}")) for seed in range(8)]
+    forget(made)
+    recordings = [one for one in found if one is not None]
+    ends = {"or_0", "and_0_2", "or_0_2_1", "end_0_2_1_3", "or_0_2_2", "end_0_2_2_3"}
+    assert any(set(step.active or ()) == ends for one in recordings for step in one.steps[:-1])
+    for engine in ("scion", "xstate"):
+        played = on_node([job(engine, one) for one in recordings])
+        assert [differences(*pair) for pair in zip(recordings, played, strict=True)] == [[]] * 8
+
+
 def test_a_chart_that_means_something_else_is_noticed() -> None:
     """Completion as an event would be lost: a machine without its flags does otherwise."""
     pytest.importorskip("statemachine", reason="NOT TRIED, for there is no python-statemachine here")

@@ -231,6 +231,7 @@ def test_another_machine_is_noticed() -> None:
         ('delay="3s"', 'delay="4s"'),
         ('expr="true"', 'expr="false"'),
         ('<final id="asemec', '<state id="asemec'),
+        (' amola:type="END"', ""),
         ('initial="start_0_2_1"', 'initial="Dark_0_2_2"'),
     ):
         changed = document.replace(written, instead, 1)
