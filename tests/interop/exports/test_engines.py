@@ -166,7 +166,7 @@ team T { me : c }
 
 
 def test_a_composite_that_is_complete_goes_on_where_only_ends_are_active() -> None:
-    """SCION ends a session as soon as all active states are final, also inner ones: it would do all `exit`."""
+    """SCION ends a session as soon as all active states are final, also inner ones: it does all `exit`."""
     made = generate(COMPLETE)
     found = [Recorder(made, "c").record(Choices(f"complete {seed}")) for seed in range(8)]
     forget(made)
