@@ -41,7 +41,6 @@ active are final, also inner ones. It does what is to be done on their exit, and
 FINISHED = "asemec_finished"
 
 
-
 def scxml(machine: Machine, datamodel: DataModel = "ecmascript") -> str:
     """The document of a machine."""
     script: Script = EcmaScript() if datamodel == "ecmascript" else Python()

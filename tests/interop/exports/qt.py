@@ -25,6 +25,11 @@ def settle(app):
         app.processEvents()
 
 
+def active(machine):
+    """The active states; a machine that has ended has none any more, and is in its top-level final state."""
+    return machine.activeStateNames(False) if machine.isRunning() else ["asemec_finished"]
+
+
 def played(app, path, job):
     """The active states of one machine after each step."""
     Path(path).write_text(job["document"], encoding="utf-8")
@@ -34,11 +39,11 @@ def played(app, path, job):
         return {"error": "; ".join(errors)}
     machine.start()
     settle(app)
-    found = [machine.activeStateNames(False)]
+    found = [active(machine)]
     for step in job["steps"]:
         machine.submitEvent(step["event"], step["data"])
         settle(app)
-        found.append(machine.activeStateNames(False) if machine.isRunning() else found[-1])
+        found.append(active(machine))
     return {"active": found}
 
 
