@@ -29,15 +29,11 @@ from aseme_dsl.interop.export.machine import (
     Vertex,
 )
 from aseme_dsl.interop.export.script import EcmaScript, Python, Script
+from aseme_dsl.interop.machines.scxml import END, OWN
 from aseme_dsl.records import dataclass
 
 DataModel = Literal["ecmascript", "python"]
 NAMESPACE = "http://www.w3.org/2005/07/scxml"
-OWN = "urn:asemec:amola"
-"""The namespace of the attributes that say which state of the `.aseme` file one is."""
-END = "END"
-"""The `type` in that namespace of an END. It is a `<state>`: SCION ends a session where all states that are
-active are final, also inner ones. It does what is to be done on their exit, and forgets what is delayed."""
 FINISHED = "asemec_finished"
 
 

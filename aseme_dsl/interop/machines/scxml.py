@@ -8,7 +8,6 @@ from itertools import count
 
 from aseme_dsl.interop.emf.charts import one_line
 from aseme_dsl.interop.emf.markup import Element, Unreadable, read_markup
-from aseme_dsl.interop.export.scxml import END, OWN
 from aseme_dsl.interop.machines.machine import (
     Assigning,
     Cancelling,
@@ -25,6 +24,12 @@ from aseme_dsl.interop.machines.machine import (
     Shape,
 )
 from aseme_dsl.source import Source
+
+OWN = "urn:asemec:amola"
+"""The namespace of the attributes that say which state of an `.aseme` file one is."""
+END = "END"
+"""The `type` in that namespace of an END. It is a `<state>`: SCION ends a session where all states that are
+active are final, also inner ones. It does what is to be done on their exit, and forgets what is delayed."""
 
 _SHAPES = {
     "scxml": Shape.STATE,
@@ -342,4 +347,4 @@ def _check_targets(machine: Machine, ids: Set[str]) -> None:
                 raise Unreadable(f"there is no state `{target[:60]}`", node.place)
 
 
-__all__ = ["delay", "read_scxml"]
+__all__ = ["END", "OWN", "delay", "read_scxml"]
