@@ -438,7 +438,7 @@ async def test_an_activity_is_renamed_with_its_file_and_class(project: Project) 
     [
         ("[^tries", "for ever", "is not a name"),
         ("(^look |", "handing", "handing"),
-        ("look = ^Scan", "Jump", "there is a activity `Jump` already"),
+        ("look = ^Scan", "Jump", "there is an activity `Jump` already"),
         ("[^tries", "true", "true"),
         ("vision.state.^Ball", "Sphere", "the standard library declares it"),
         ("^process = Give", "x", "a word of the language"),

@@ -64,3 +64,16 @@ def test_nothing_is_said_of_right_texts() -> None:
 def test_a_file_full_of_mistakes_lists_the_first_hundred() -> None:
     found = mistakes("srm a { control a {\n" + "enter A [x]\n" * 500 + "} }")
     assert [item.code for item in found] == ["E100"] * 100 + ["E113"]
+
+
+@pytest.mark.parametrize(
+    ("text", "wanted"),
+    [
+        ("statechart r { state 0 OR  0.1 -> 0.2 : enter }", "expected 'on', 'exit' or the next entry"),
+        ("srm r { plays p.q when busy }", "expected 'queue' or 'refuse' after 'busy'"),
+        ("srm r { var n : int in }", "expected a number, '=' or the next entry after 'int'"),
+    ],
+)
+def test_what_is_expected_is_said_in_words(text: str, wanted: str) -> None:
+    """Not as the pattern that the grammar has for it."""
+    assert wanted in next(item.message for item in mistakes(text) if item.code == "E100")

@@ -11,6 +11,7 @@ from aseme_dsl.compiler.names.usecases import folded
 from aseme_dsl.compiler.read.pieces import InPieces, finished
 from aseme_dsl.diagnostics import Diagnostic, Edit
 from aseme_dsl.diagnostics.problems.syntax.entries import NotReadInTime
+from aseme_dsl.diagnostics.wording import a
 from aseme_dsl.editor.changes.renamed_code import Code, Unreadable, renamed_code
 from aseme_dsl.editor.files.aliases import Alias, alias_at
 from aseme_dsl.editor.files.index import Kind, Occurrence, Symbol
@@ -105,7 +106,7 @@ def renaming(
             if taken:
                 span = program.whole(taken[0].span)
                 where = f"{Path(span.source.path).name}:{span.line}"
-                return Refused(f"there is a {symbol.kind} `{new}` already: {where}")
+                return Refused(f"there is {a(symbol.kind)} `{new}` already: {where}")
     edits = _edits(programs, all_names)
     reason = yield from _spoilt(workspace, programs, edits, all_names)
     if reason is not None:
