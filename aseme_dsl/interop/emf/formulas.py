@@ -7,8 +7,8 @@ differs from the templates anywhere has no formulas: the reason says where.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import field
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import field, replace
 from itertools import pairwise
 
 from aseme_dsl.amola.liveness import Formula, canonical, term_key, ungrouped
@@ -37,6 +37,8 @@ class Body:
     operator: Operator
     operands: tuple[ForeignState, ...]
     ways: Mapping[Edge, tuple[str, int]]
+    repeated: frozenset[Edge] = frozenset()
+    """Edges of which others have said the same: those of the further regions of `A[3]`."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -224,6 +226,11 @@ class _Reconstruction:
         operands = tuple(self._operand(item, body.operator, bodies) for item in body.operands)
         if body.operator is Operator.NAME:
             whole = operands[0]
+        elif body.operator is Operator.PARALLEL and self._is_counted(state, body, operands):
+            whole = Formula(Operator.INSTANCES, operands[:1], state.place, count=len(operands))
+            ways = {edge: (verb, min(operand, 0)) for edge, (verb, operand) in body.ways.items()}
+            repeated = frozenset(edge for edge, (_, operand) in body.ways.items() if operand > 0)
+            body = replace(body, ways=ways, repeated=repeated)
         else:
             whole = Formula(body.operator, operands, state.place)
         if body.operator is Operator.PARALLEL:
@@ -232,6 +239,17 @@ class _Reconstruction:
                 self.renamed.append(parallel)
         bodies[whole] = body
         return whole
+
+    def _is_counted(self, state: ForeignState, body: Body, operands: Sequence[Formula]) -> bool:
+        """Whether equal regions are `A[3]`: the name says so, and all of them say the same."""
+        first = operands[0]
+        term = Formula(Operator.INSTANCES, (first,), state.place, count=len(operands))
+        parallel = self.chart.inside(state.label)[1]
+        if first.operator is not Operator.NAME or parallel.name != original_name(canonical(term)):
+            return False
+        said = {way: tuple(self._said(edge)) for edge, way in body.ways.items()}
+        alike = all(text == said[verb, min(operand, 0)] for (verb, operand), text in said.items())
+        return alike and all(item.name == first.name for item in operands)
 
     def _operand(
         self,
@@ -285,7 +303,8 @@ class _Reconstruction:
                 if len(places[key]) > 1:
                     number = next(index for index, place in enumerate(places[key], 1) if place is of)
                     written = f"{written}#{number}"
-                self.ways[edge] = Way(name, verb, written, name not in self.said)
+                is_first = name not in self.said and edge not in body.repeated
+                self.ways[edge] = Way(name, verb, written, is_first)
                 said.append((verb, written, *self._said(edge)))
         return tuple(sorted(said))
 

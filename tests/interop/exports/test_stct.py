@@ -187,7 +187,11 @@ class _Random:
     def term(self, depth: int, lines: list[str]) -> str:
         """A term, and the lines of control for what is inside it."""
         self.names += 1
-        kind = self.number(7) if depth else 0
+        kind = self.number(8) if depth else 0
+        if kind == 8:
+            lines.append(f"enter A{self.names} :{self.actions()}")
+            lines.append(f"leave A{self.names} : [{self.condition()}]")
+            return f"A{self.names}[{2 + self.number(1)}]"
         if kind <= 1:
             return f"A{self.names}"
         if kind in (2, 3, 4):
@@ -268,6 +272,33 @@ def test_what_comes_home_is_what_went_out(
     (chart,) = system.iacs
     unnamed = frozenset(item.label for item in chart.states if item.name == item.label)
     assert described(home, unnamed) == described(chart, unnamed), text
+
+
+@pytest.mark.parametrize(
+    "formula",
+    ["Paint[3]", "(Paint[3] | Rest)", "Paint[2]+", "(Paint[3] || Rest)", "Walk . Paint[2]", "wall[2]"],
+)
+def test_so_many_at_once_comes_home_as_it_was_written(formula: str, tmp_path: Path) -> None:
+    inner = " wall = Paint . Rest" if "wall" in formula else ""
+    text = f"system S\nsrm R {{\n  liveness {{ R = {formula} . Clean{inner} }}\n"
+    lines = "enter Paint[3] : [true]  enter Rest : else" if "|" in formula and "||" not in formula else ""
+    lines += " repeat Paint[2] : when [false]" if "+" in formula else ""
+    system = system_of(f"{text}  control R {{ {lines} }}\n}}\nteam T {{ me : R }}\n")
+    home = at_home(system, tmp_path)
+    assert described(home) == described(system.iacs[0])
+    (written,) = (tmp_path / "new").glob("*.aseme")
+    assert f" = {formula} . Clean" in written.read_text("utf-8").replace("((", "(").replace("))", ")")
+
+
+def test_so_many_that_were_edited_come_home_one_by_one(tmp_path: Path) -> None:
+    text = "system S\nsrm R {\n  liveness { R = Paint[2] }\n  control R { leave Paint : [true] }\n}\n"
+    system = system_of(f"{text}team T {{ me : R }}\n")
+    edited = exported(system).replace(' TE="[true]"', "", 1)
+    (tmp_path / "model.stct").write_text(edited, "utf-8")
+    project = write_project(import_models([tmp_path / "model.stct"]), tmp_path / "new")
+    assert project.files
+    (written,) = (tmp_path / "new").glob("*.aseme")
+    assert "R = Paint || Paint\n" in written.read_text("utf-8")
 
 
 def test_enums_of_a_proto_file_come_home(tmp_path: Path) -> None:
