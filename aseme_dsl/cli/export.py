@@ -76,13 +76,14 @@ def command(
 ) -> int:
     """Export and write; 1 if the file has errors or the format cannot express something."""
     from aseme_dsl.interop.export.formats import Format
-    from aseme_dsl.project.building.export import NoSuchChart, chosen, exported, into_folder
+    from aseme_dsl.project.building.export import NoSuchChart, chosen, exported, into_folder, written_out
 
     if datamodel is not None and format_ != Format.SCXML:
         raise click.UsageError("--datamodel is about scxml: leave it out.")
     compiled = one_system(target)
     found = compiled.diagnostics
     files: tuple[tuple[str, str], ...] = ()
+    notes: tuple[str, ...] = ()
     if compiled.system is not None and format_ == "promela":
         files, found = _models(compiled, charts)
     elif compiled.system is not None:
@@ -91,6 +92,7 @@ def command(
         except NoSuchChart as problem:
             raise click.UsageError(f"{problem}.") from problem
         files, found = exported(compiled.system, selected, Format(format_), datamodel or "ecmascript")
+        notes = written_out(selected, Format(format_))
     if compiled.system is None or found:
         if as_json:
             print_json({"files": [], **diagnostics_json(found)})
@@ -102,8 +104,12 @@ def command(
             names = ", ".join(name for name, _ in files) or "none"
             raise click.UsageError(f"- prints one file, but {len(files)} are to be written: {names}.")
         sys.stdout.buffer.write(files[0][1].encode())
+        for note in notes:
+            click.echo(f"note: {note}", err=True)
         return 0
-    return print_written(into_folder(compiled.system, Path(output), files, force=force), (), as_json, colour)
+    return print_written(
+        into_folder(compiled.system, Path(output), files, force=force), notes, as_json, colour
+    )
 
 
 def _models(

@@ -5,15 +5,21 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from pathlib import Path, PurePath
 
+from aseme_dsl.amola.expression import Named, values_of
 from aseme_dsl.amola.statechart import Statechart
 from aseme_dsl.amola.system import System
 from aseme_dsl.diagnostics import Diagnostic, closest
 from aseme_dsl.interop.export.formats import File, Format, files_of
+from aseme_dsl.interop.export.lowering import place
 from aseme_dsl.interop.export.scxml import DataModel
 from aseme_dsl.project.files.write import DISK, Disk, Planned, Written, write
 
 FOLDER = "export"
 """The part of the files in their manifest."""
+
+
+_WITHOUT_NAMES = (Format.SCXML, Format.XSTATE, Format.SISMIC, Format.STCT)
+"""Formats that have no names for expressions."""
 
 
 class NoSuchChart(Exception):
@@ -54,6 +60,19 @@ def exported(
     return (() if found else tuple(files)), tuple(found)
 
 
+def written_out(charts: Iterable[Statechart], format_: Format) -> tuple[str, ...]:
+    """A note with the place of its first use for each `let` of which a format has the value, not the name."""
+    if format_ not in _WITHOUT_NAMES:
+        return ()
+    found: dict[str, str] = {}
+    for chart in charts:
+        for transition in chart.transitions:
+            for value in values_of(transition.expression):
+                if isinstance(value, Named):
+                    found.setdefault(value.name, place(value.span))
+    return tuple(f"{where}: `let {name}` is written out where it is used" for name, where in found.items())
+
+
 def into_folder(
     system: System, folder: Path, files: Iterable[File], *, force: bool, disk: Disk = DISK
 ) -> Written:
@@ -65,4 +84,4 @@ def into_folder(
     )
 
 
-__all__ = ["NoSuchChart", "chosen", "exported", "into_folder"]
+__all__ = ["NoSuchChart", "chosen", "exported", "into_folder", "written_out"]

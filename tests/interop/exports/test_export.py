@@ -55,6 +55,23 @@ def test_strings_of_the_document_stay_strings() -> None:
     assert r'"a\"<b>&--%"' in module
 
 
+def test_names_that_a_format_does_not_have_are_noted_with_their_place(
+    lamp: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    text = LAMP.replace("  liveness", "  let low = used < 3\n  liveness").replace("[used < 3]", "[low]")
+    lamp.write_text(text, "utf-8")
+    note = "lamp.aseme:10:30: `let low` is written out where it is used"
+    for format_ in ("scxml", "xstate", "sismic"):
+        assert run_program(["export", format_, "lamp.aseme"]) == 0
+        assert capsys.readouterr().err == f"note: {note}\n"
+    assert run_program(["export", "scxml", "lamp.aseme", "-o", "-"]) == 0
+    assert capsys.readouterr().err == f"note: {note}\n"
+    assert run_program(["export", "scxml", "lamp.aseme", "--json"]) == 0
+    assert json.loads(capsys.readouterr().out)["remarks"] == [note]
+    assert run_program(["export", "mermaid", "lamp.aseme"]) == 0
+    assert capsys.readouterr().err == ""
+
+
 def test_drawings_and_processes_escape_what_is_written() -> None:
     (drawing,) = exported(LAMP, Format.MERMAID).values()
     assert "#34;a#92;#34;#60;b#62;#38;#45;#45;#37;#34;" in drawing
