@@ -55,6 +55,22 @@ local function walk()
   end
   vim.cmd("normal! dd")
 
+  find("ready && near") -- a condition pasted from KSE, and what is offered for it, as a person takes it
+  vim.cmd("normal! ci[ready && near && !(vision.State.Ball==NULL)")
+  wait("the pasted condition", function() return #vim.diagnostic.get(0) > 0 end)
+  seen.pasted = diagnostics()
+  find("State.Ball==")
+  vim.ui.select = function(items, _, take)
+    seen.offered = items[1].action and items[1].action.title or items[1][2].title
+    take(items[1], 1)
+  end
+  vim.lsp.buf.code_action()
+  wait("the translation", function() return lines():find("has(", 1, true) ~= nil end)
+  wait("the translated text", function() return #vim.diagnostic.get(0) == 0 end)
+  seen.translated = vim.trim(vim.fn.getline("."))
+  find("ready && near")
+  vim.cmd("normal! ci[ready && near")
+
   find("ready\\>")
   seen.hover = ask("textDocument/hover").contents.value
 

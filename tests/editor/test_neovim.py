@@ -100,6 +100,13 @@ def test_completion_offers_the_terms_of_this_formula(seen: dict[str, Any]) -> No
     assert "topic" not in seen["completion"]
 
 
+def test_a_condition_pasted_from_kse_is_translated(seen: dict[str, Any]) -> None:
+    assert [each.partition(":")[0] for each in seen["pasted"]] == ["10"]
+    assert "an expression of KSE" in seen["pasted"][0]
+    assert "has(vision.state.Ball)" in seen["offered"]
+    assert seen["translated"] == "enter Kick  : [ready && near && has(vision.state.Ball)]"
+
+
 def test_hover_says_what_a_name_is(seen: dict[str, Any]) -> None:
     assert "bool" in seen["hover"]
 
