@@ -38,6 +38,8 @@ IFF_TAP_NO_PI = 0x0002 | 0x1000
 FRAME = 2048
 WAITING = 2000
 """So many frames wait in one direction, as in the buffer of a switch; further ones are lost."""
+QUEUE = 0.1
+"""Before a slow link so many seconds' worth of frames wait; further ones are lost."""
 
 
 @dataclass
@@ -55,18 +57,27 @@ class Way:
     overtake: float = 0.0
     """The part of them that may overtake earlier ones, by the `jitter`."""
     blocked: bool = False
+    rate: float = 0.0
+    """So many bytes pass in a second; 0: as many as come."""
     random: random.Random = field(default_factory=random.Random)
     latest: float = 0.0
+    free: float = 0.0
+    """When all that waits for the `rate` will have passed."""
     waiting: int = 0
     brought: int = 0
     lost: int = 0
 
-    def times(self, now: float) -> list[float]:
-        """When a frame that is sent now arrives: not at all, once or twice."""
+    def times(self, now: float, size: int) -> list[float]:
+        """When a frame of so many bytes that is sent now arrives: not at all, once or twice."""
         chance = self.random.random
         if self.blocked or self.waiting >= WAITING or (self.loss and chance() < self.loss):
             self.lost += 1
             return []
+        if self.rate:
+            if self.free - now > QUEUE:
+                self.lost += 1
+                return []
+            self.free = now = max(now, self.free) + size / self.rate
         found = []
         for _ in range(2 if self.double and chance() < self.double else 1):
             moment = now + self.delay + (self.jitter * chance() if self.jitter else 0.0)
@@ -179,7 +190,7 @@ def switch(names: list[str], ends: list[int], ways: dict[tuple[str, str], Way]) 
                     if to == key.data:
                         continue
                     way = ways[names[key.data], names[to]]
-                    for moment in way.times(now):
+                    for moment in way.times(now, len(frame)):
                         way.waiting += 1
                         heapq.heappush(later, (moment, next(order), ends[to], frame, way))
         now = time.monotonic()

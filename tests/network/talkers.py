@@ -93,8 +93,10 @@ class Hear:
 """
 
 
-def project(folder: Path, deployed: str, team: str = TEAM, name: str = "", say: str = SAY) -> Path:
-    """A built project of the team, whose system has a name of this test's own."""
+def project(
+    folder: Path, deployed: str, team: str = TEAM, name: str = "", say: str = SAY, **more: str
+) -> Path:
+    """A built project of the team, whose system has a name of this test's own; `more`: other activities."""
     name = name or own_name("Talk")
     (folder / "activities").mkdir(parents=True)
     (folder / "pyproject.toml").write_text(
@@ -102,8 +104,8 @@ def project(folder: Path, deployed: str, team: str = TEAM, name: str = "", say: 
         f"[tool.asemec.deploy]\n{deployed}"
     )
     (folder / "talk.aseme").write_text(team.replace("TALK", name))
-    (folder / "activities" / "say.py").write_text(say.replace("TALK", name))
-    (folder / "activities" / "hear.py").write_text(HEAR)
+    for activity, text in {"say": say, "hear": HEAR, **more}.items():
+        (folder / "activities" / f"{activity}.py").write_text(text.replace("TALK", name))
     built = asemec("build", cwd=folder)
     assert built.code == 0, built
     return folder
@@ -147,11 +149,13 @@ class Talkers:
         whole = self.folder / "out" / f"trace.{robot}.jsonl.gz"
         return records_of(whole if whole.exists() else whole.with_name(f"{whole.name}.part"))
 
-    def begin(self, robot: str, *options: str, machine: str = "", **environment: str) -> None:
-        """Start a robot, on its machine if no other one is said."""
+    def begin(
+        self, robot: str, *options: str, machine: str = "", folder: Path | None = None, **environment: str
+    ) -> None:
+        """Start a robot, on its machine and from the team's folder if no other one is said."""
         self.processes[robot] = self.network.start(
             machine or robot, sys.executable, "-m", "aseme_dsl", "node", robot, "--from", "out", "-q",
-            *options, cwd=self.folder, **environment,
+            *options, cwd=folder or self.folder, **environment,
         )  # fmt: skip
 
     def end(self) -> dict[str, Story]:
@@ -217,9 +221,9 @@ class Story:
         times = [since, *(when for when, _ in self.heard[peer] if since < when < until), until]
         return max(b - a for a, b in pairwise(times))
 
-    def misplaced(self, peer: str) -> list[str]:
-        """Where the signals of a peer are not what it has said, each once and in order."""
-        numbers = [n for _, n in self.heard[peer]]
+    def misplaced(self, peer: str, since: float = 0.0) -> list[str]:
+        """Where the signals of a peer are not what it has said since a moment, each once and in order."""
+        numbers = [n for when, n in self.heard[peer] if when > since]
         return [f"{peer} said {b} after {a}" for a, b in pairwise(numbers) if b != a + 1]
 
     def outcomes(self, since: float, until: float) -> Counter[str]:

@@ -259,10 +259,10 @@ def unreported(changing: Changing) -> list[str]:
 
 
 @contextlib.contextmanager
-def changing(folder: Path) -> Iterator[Changing]:
+def changing(folder: Path, seed: int = 1) -> Iterator[Changing]:
     """The team, when each hears each."""
     name = own_name("Swap")
-    with machines((*NAMES, OFFICE)) as network:
+    with machines((*NAMES, OFFICE), seed) as network:
         project(folder / "p", deployed(folder, network), name=name)
         with talking(folder / "p", network) as team:
             yield Changing(team, name)
@@ -300,7 +300,7 @@ def test_a_swap_with_a_robot_and_then_the_operator_gone(tmp_path: Path) -> None:
 @pytest.mark.parametrize("run", range(max(1, RUNS)))
 def test_swaps_with_faults_in_each_phase(tmp_path: Path, run: int) -> None:
     found = []
-    with changing(tmp_path) as team:
+    with changing(tmp_path, run) as team:
         for case in cases(run):
             found.append(team.suffer(case))
             print(found[-1], flush=True)

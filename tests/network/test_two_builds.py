@@ -1,4 +1,7 @@
-"""Robots of two builds in one team on four machines: what fits goes on, the rest is refused to its sender."""
+"""Robots of two builds in one team on four machines: what fits goes on, the rest is refused to its sender.
+
+NETWORK_RUNS=N has N such teams, and prints what was refused and how soon: `dev.py long` does.
+"""
 
 from __future__ import annotations
 
@@ -51,13 +54,13 @@ class Say:
 OF_OLD, OF_NEW = NAMES[:2], NAMES[2:]
 
 pytest.importorskip("zenoh")
+pytestmark = pytest.mark.skipif(not RUNS, reason="long: set NETWORK_RUNS, or run python3 dev.py long")
 
 
-def test_robots_of_two_builds_talk_and_know_what_is_refused(tmp_path: Path) -> None:
-    if not RUNS:
-        pytest.skip("a team on machines of its own: set NETWORK_RUNS, or run python3 dev.py long")
+@pytest.mark.parametrize("run", range(max(1, RUNS)))
+def test_robots_of_two_builds_talk_and_know_what_is_refused(tmp_path: Path, run: int) -> None:
     name = own_name("Two")
-    with machines((*NAMES, OFFICE)) as network:
+    with machines((*NAMES, OFFICE), seed=run) as network:
         configuration = deployed(tmp_path, network)
         counting = SAY.replace("Count(n=Say.n)", "Count(n=Say.n, of=1)")
         old = project(tmp_path / "old", configuration, OLD, name, SAY)
@@ -91,7 +94,8 @@ def test_robots_of_two_builds_talk_and_know_what_is_refused(tmp_path: Path) -> N
             assert f"{peer} does not read Question, since it is of another build" in consoles[robot]
             assert f"{peer} is of another build" in consoles[robot]
     print(
-        f"{len(times)} kinds of messages refused, their senders knew it after {max(times):.3f} s at the most"
+        f"{len(times)} kinds of messages refused, their senders knew it after {max(times):.3f} s at the most",
+        flush=True,
     )
     assert len(times) == 10 and max(times) < SOON  # Question from each to two, Count from robot1 to two
 

@@ -14,7 +14,14 @@ from aseme_dsl.diagnostics.problems import settings as problems
 from aseme_dsl.diagnostics.problems.files import CannotBeRead, NotUtf8
 from aseme_dsl.diagnostics.problems.settings import Fitting
 from aseme_dsl.project.files.duration import duration
-from aseme_dsl.project.settings.deployment import Deployment, HostsOfFile, TlsFiles, network_mistakes
+from aseme_dsl.project.settings.deployment import (
+    Deployment,
+    HostsOfFile,
+    TlsFiles,
+    hosts_of,
+    network_mistakes,
+    read_hosts,
+)
 from aseme_dsl.project.settings.platform_settings import PLATFORMS, MangoConfiguration, SpadeConfiguration
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.message.by_name import made
@@ -394,26 +401,18 @@ def _memory(value: object) -> int:
 
 
 def _hosts(value: object) -> dict[str, str]:
-    if not isinstance(value, dict) or not all(
-        isinstance(host, str) and re.fullmatch(r"(\[[0-9A-Fa-f:.%\w]+\]|[\w.-]+)(:\d{1,5})?", host)
-        for host in value.values()
-    ):
+    found = hosts_of(value)
+    if found is None:
         raise _Wrong(Fitting.ADDRESSES)
-    return dict(value)
+    return found
 
 
 def _hosts_in(path: Path) -> HostsOfFile:
-    """The hosts in a TOML file of their own: `robot1 = "192.168.1.11"`."""
-    import tomllib
-
+    """The hosts in a file of their own."""
     try:
-        document = tomllib.loads(outside.read_bytes(path, _LARGEST).decode("utf-8"))
-        return HostsOfFile(path, _hosts(document))
-    except OSError as problem:
-        reason = f"cannot be read: {problem.strerror or problem}"
-    except (ValueError, RecursionError) as problem:
-        reason = "is not a table of hosts" if isinstance(problem, _Wrong) else f"is not valid TOML: {problem}"
-    raise _Wrong(problem=problems.HostsNotRead(str(path), reason))
+        return HostsOfFile(path, read_hosts(path))
+    except ValueError as problem:
+        raise _Wrong(problem=problems.HostsNotRead(str(path), str(problem))) from problem
 
 
 def _hosts_with_ports(value: object) -> dict[str, str]:

@@ -11,6 +11,7 @@ from dataclasses import field
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from aseme_dsl import outside
 from aseme_dsl.diagnostics import Problem
 from aseme_dsl.diagnostics.problems.running import AgentWithoutHost, HostOfNobody
 from aseme_dsl.diagnostics.problems.settings import (
@@ -29,6 +30,10 @@ ROBOT = "ROBOT"
 """Stands for the robot's name in the names of its files."""
 
 
+_LARGEST = 1 << 20
+"""The largest file of hosts, in bytes."""
+
+
 @dataclass(frozen=True, slots=True)
 class TlsFiles:
     """The PEM files of `[tool.asemec.deploy.tls]`; ROBOT in their names stands for the robot's name."""
@@ -44,6 +49,64 @@ class HostsOfFile(dict[str, str]):
     def __init__(self, path: Path, hosts: Mapping[str, str]) -> None:
         super().__init__(hosts)
         self.path = path
+
+
+def hosts_of(value: object) -> dict[str, str] | None:
+    """The hosts that a table has, by the names of agents; None if it is not a table of hosts."""
+    if not isinstance(value, dict) or not all(
+        isinstance(host, str) and re.fullmatch(r"(\[[0-9A-Fa-f:.%\w]+\]|[\w.-]+)(:\d{1,5})?", host)
+        for host in value.values()
+    ):
+        return None
+    return dict(value)
+
+
+def read_hosts(path: Path) -> dict[str, str]:
+    """The hosts in a TOML file of their own: `robot1 = "192.168.1.11"`. Raises ValueError, saying why not."""
+    import tomllib
+
+    try:
+        found = hosts_of(tomllib.loads(outside.read_bytes(path, _LARGEST).decode("utf-8")))
+    except OSError as problem:
+        raise ValueError(f"cannot be read: {problem.strerror or problem}") from problem
+    except (ValueError, RecursionError) as problem:
+        raise ValueError(f"is not valid TOML: {problem}") from problem
+    if found is None:
+        raise ValueError("is not a table of hosts")
+    return found
+
+
+class HostsNow:
+    """The endpoints of the other agents by their file of hosts, which is read again when it has changed."""
+
+    def __init__(self, hosts: HostsOfFile, robot: str, protocol: str) -> None:
+        self._path = hosts.path
+        self._robot = robot
+        self._protocol = protocol
+        self._seen = self._state()
+        self._found = self._endpoints(hosts)
+
+    def __call__(self) -> Mapping[str, str]:
+        """The endpoint of each other agent. Raises ValueError, saying why, if the file cannot be used."""
+        state = self._state()
+        if state != self._seen:
+            try:
+                self._found = self._endpoints(read_hosts(self._path))
+            except ValueError as problem:
+                raise ValueError(f"{self._path} {problem}") from problem
+            self._seen = state
+        return self._found
+
+    def _endpoints(self, hosts: Mapping[str, str]) -> Mapping[str, str]:
+        others = ((name, host) for name, host in hosts.items() if name != self._robot)
+        return {name: f"{self._protocol}/{_with_port(host)}" for name, host in others}
+
+    def _state(self) -> tuple[int, ...]:
+        try:
+            found = self._path.stat()
+        except OSError:
+            return ()
+        return found.st_ino, found.st_mtime_ns, found.st_size
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,6 +159,7 @@ def network_of(deployment: Deployment | None, robot: str, team: Iterable[str] = 
     elif interface is not None and robot != OPERATOR:
         listen = (f"{protocol}/0.0.0.0:0#iface={interface}",)
     others = [f"{protocol}/{_with_port(host)}" for name, host in deployment.hosts.items() if name != robot]
+    hosts = deployment.hosts
     tls = None
     if secure is not None and secure.authority and secure.certificate and secure.key:
         tls = Tls(*(file_of(path, robot) for path in (secure.authority, secure.certificate, secure.key)))
@@ -112,6 +176,7 @@ def network_of(deployment: Deployment | None, robot: str, team: Iterable[str] = 
         tuple(team),
         deployment.control is not None,
         seeks=own is None,
+        places=HostsNow(hosts, robot, protocol) if isinstance(hosts, HostsOfFile) else None,
     )
 
 

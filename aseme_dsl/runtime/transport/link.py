@@ -62,6 +62,10 @@ class Hears(Protocol):
         """It has a connection again; the reason says with what."""
         ...
 
+    def fault(self, agent: str, reason: str) -> None:
+        """Something could not be done for one of our agents; it continues."""
+        ...
+
 
 class Link(Protocol):
     """A connection to the processes in which the rest of the team runs."""

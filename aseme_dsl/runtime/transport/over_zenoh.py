@@ -19,8 +19,9 @@ import secrets
 import socket
 import threading
 import weakref
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, nullcontext
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -52,6 +53,8 @@ MOST_THREADS = 32
 _DESCRIPTORS = Path("/proc/self/fd")
 _LIFE = re.compile("[0-9a-f]{1,16}")
 _NONCE_BYTES = 16
+FOLLOW = 1.0
+"""So often, in seconds, it is looked whether absent agents are at other hosts now."""
 _ASKERS = 256
 """Of so many sessions that have asked it is remembered which of their questions have come."""
 
@@ -108,12 +111,7 @@ class ZenohLink:
         self._network = network
         self.lease = network.lease_ms * 1_000_000
         self._root = f"asemec/{system}"
-        self._config = self._zenoh.Config()
-        for key, value in network.settings():
-            try:
-                self._config.insert_json5(key, value)
-            except self._zenoh.ZError as problem:
-                raise TransportError(f"zenoh does not take {key} = {value}: {problem}") from problem
+        self._config = self._configured(network)
         self._secret: bytes | None = None
         """Who knows it is of the team; None where certificates say so."""
         self._asker = secrets.token_bytes(_NONCE_BYTES - 8)
@@ -124,6 +122,20 @@ class ZenohLink:
         """References to our tokens and subscribers: zenoh withdraws a token that is garbage-collected."""
         self._publishers: dict[str, Any] = {}
         self._lock = threading.Lock()
+        self._present: set[tuple[str, int]] = set()
+        """The incarnations whose tokens are there."""
+        self._closed = threading.Event()
+        self._opening = threading.Lock()
+        """Held while a session is opened or closed after the first one."""
+
+    def _configured(self, network: Network) -> Any:
+        config = self._zenoh.Config()
+        for key, value in network.settings():
+            try:
+                config.insert_json5(key, value)
+            except self._zenoh.ZError as problem:
+                raise TransportError(f"zenoh does not take {key} = {value}: {problem}") from problem
+        return config
 
     @property
     def datagrams(self) -> Sequence[tuple[str, int]]:
@@ -132,8 +144,14 @@ class ZenohLink:
 
     def open(self, agents: Sequence[str], incarnation: int, hears: Hears) -> None:
         """Connect and say that these agents are here."""
-        zenoh = self._zenoh
-        session = self._session = self.connected(agents[0])
+        self._join(agents, incarnation, hears)
+        if self._network.places is not None and not self._network.local:
+            threading.Thread(
+                target=self._follow,
+                args=(self._network.places, agents, incarnation, hears),
+                name="aseme hosts",
+                daemon=True,
+            ).start()
         # A process that ends with a subscriber in it waits for ever, unless this runs before its threads
         # are waited for; `atexit` is too late for that.
         register = getattr(threading, "_register_atexit", None)
@@ -147,6 +165,35 @@ class ZenohLink:
 
             with contextlib.suppress(RuntimeError):  # the interpreter is ending already
                 register(close)
+
+    def _follow(
+        self, places: Callable[[], Mapping[str, str]], agents: Sequence[str], incarnation: int, hears: Hears
+    ) -> None:
+        """Connect to where absent agents are now. Zenoh connects to new endpoints only with a new session."""
+        first = places()
+        further = tuple(end for end in self._network.connect if end not in first.values())
+        while not self._closed.wait(FOLLOW):
+            try:
+                found = places()
+                there = {name for name, _ in tuple(self._present)}
+                moved = [n for n, end in found.items() if n not in there and end not in self._network.connect]
+                if not moved and self._session is not None:
+                    continue
+                network = replace(self._network, connect=(*found.values(), *further))
+                self._config, self._network = self._configured(network), network
+                with self._opening:
+                    if self._closed.is_set():
+                        return
+                    self._leave()
+                    hears.disconnected(agents[0], f"other hosts: {', '.join(moved)}")
+                    self._join(agents, incarnation, hears)
+                    hears.connected(agents[0], "to the new hosts")
+            except (ValueError, TransportError) as problem:
+                hears.fault(agents[0], str(problem))
+
+    def _join(self, agents: Sequence[str], incarnation: int, hears: Hears) -> None:
+        zenoh = self._zenoh
+        session = self._session = self.connected(agents[0])
         put = zenoh.SampleKind.PUT
 
         def arrived(sample: Any) -> None:
@@ -173,6 +220,7 @@ class ZenohLink:
                 if sample.kind == put:
                     hears.unreadable(agents[0], agent, "its token does not prove that it is of the team")
                 return
+            (self._present.add if sample.kind == put else self._present.discard)((agent, int(life, 16)))
             (hears.appeared if sample.kind == put else hears.vanished)(agent, int(life, 16))
 
         def asked(to: str, query: Any) -> None:
@@ -355,12 +403,18 @@ class ZenohLink:
 
     def close(self) -> None:
         """Disconnect."""
+        self._closed.set()
+        with self._opening:
+            self._leave()
+
+    def _leave(self) -> None:
         with self._lock:
             session, self._session = self._session, None
             self._publishers.clear()
         if session is not None:
             session.close()
         self._kept.clear()
+        self._present.clear()
 
 
 def _place(locator: object) -> tuple[str, int]:

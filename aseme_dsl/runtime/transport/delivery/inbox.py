@@ -110,6 +110,10 @@ class Inbox:
         with self._state.lock:
             hurry(self._state, [key for key in self._state.ways if key[0] == agent])
 
+    def fault(self, agent: str, reason: str) -> None:
+        """Something could not be done for one of our agents."""
+        self._state.team.trace.remark(self._state.now(), agent, reason)
+
     def asked(self, to: str, what: str, question: bytes) -> Iterable[tuple[Envelope, bytes]]:
         """A question to one of our agents; the answers."""
         if what == "control":
