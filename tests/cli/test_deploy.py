@@ -420,3 +420,33 @@ def test_the_list_names_every_file_with_its_hash(project: Path) -> None:
     there = contents(archive_in(project / "deploy"))
     listed = json.loads(there.pop("out/bundle.json"))
     assert listed["files"] == {name: hashlib.sha256(content).hexdigest() for name, content in there.items()}
+
+
+SYSTEMCTL = """#!/bin/sh
+echo "$@" >> {home}/systemctl.log
+"""
+LOGINCTL = """#!/bin/sh
+case "$1" in
+  enable-linger) {may} && touch {home}/lingers ;;
+  show-user) test -e {home}/lingers && echo yes || echo no ;;
+esac
+"""
+
+
+@pytest.mark.parametrize("may", ["true", "false"])
+def test_agents_are_not_started_where_they_would_end_with_the_login(
+    project: Path, monkeypatch: pytest.MonkeyPatch, may: str
+) -> None:
+    home = project.parent / "home"
+    monkeypatch.setenv("XDG_CONFIG_HOME", str(home / "config"))
+    for name, script in (("systemctl", SYSTEMCTL), ("loginctl", LOGINCTL)):
+        (project.parent / "tools" / name).write_text(script.format(home=home, may=may))
+        (project.parent / "tools" / name).chmod(0o755)
+    done = asemec("deploy", "--all", "--start")
+    unit = home / "config" / "systemd" / "user" / "asemec-Field@.service"
+    if may == "true":
+        assert "started: ann" in done.out and unit.exists()
+        assert "--user restart asemec-Field@ann.service" in (home / "systemctl.log").read_text()
+    else:
+        assert done.code == 1 and not unit.exists()
+        assert "systemd would end the agents at once" in done.err and "enable-linger" in done.err

@@ -11,6 +11,7 @@ This file runs on the robot, alone: it needs Python and its standard library. Th
 from __future__ import annotations
 
 import argparse
+import getpass
 import hashlib
 import json
 import os
@@ -236,7 +237,17 @@ def _files(folder: Path) -> Iterator[Path]:
 
 
 def start(to: Path, agents: Iterable[str]) -> None:
-    """Have systemd run these agents, as services of this user. Raises InstallError."""
+    """Have systemd run these agents, as services of this user. Raises InstallError.
+
+    Without `linger`, systemd ends the services of a user with the last session: here, with that of ssh.
+    """
+    if _has_no_linger():
+        subprocess.run(["loginctl", "enable-linger"], capture_output=True)  # some systems allow it to all
+        if _has_no_linger():
+            raise InstallError(
+                "systemd would end the agents at once, with this login: enter on this host "
+                f"`sudo loginctl enable-linger {getpass.getuser()}`, then start them again"
+            )
     system = (to / "current").readlink().name.rpartition("-")[0]
     text = (to / "current" / _UNIT).read_text().replace("@DIRECTORY@", str(to.resolve()))
     unit = Path(os.environ.get("XDG_CONFIG_HOME") or Path.home() / ".config") / "systemd" / "user"
@@ -250,6 +261,15 @@ def start(to: Path, agents: Iterable[str]) -> None:
             raise InstallError(f"systemctl cannot be started: {problem.strerror}") from problem
         if done.returncode != 0:
             raise InstallError(f"`systemctl --user {' '.join(words)}` failed: {done.stderr.strip()[-400:]}")
+
+
+def _has_no_linger() -> bool:
+    """Whether services of this user end with the last session. False if systemd-logind is not there."""
+    words = ["loginctl", "show-user", getpass.getuser(), "--property=Linger", "--value"]
+    try:
+        return subprocess.run(words, capture_output=True, text=True).stdout.strip() == "no"
+    except OSError:
+        return False
 
 
 def main(arguments: list[str]) -> int:

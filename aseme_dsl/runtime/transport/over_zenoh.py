@@ -112,6 +112,12 @@ class ZenohLink:
         self.lease = network.lease_ms * 1_000_000
         self._root = f"asemec/{system}"
         self._config = self._configured(network)
+        try:
+            known = {} if network.places is None else network.places()
+        except ValueError as problem:
+            raise TransportError(str(problem)) from problem
+        self._further = tuple(end for end in network.connect if end not in known.values())
+        """The endpoints that are not of robots."""
         self._secret: bytes | None = None
         """Who knows it is of the team; None where certificates say so."""
         self._asker = secrets.token_bytes(_NONCE_BYTES - 8)
@@ -170,8 +176,6 @@ class ZenohLink:
         self, places: Callable[[], Mapping[str, str]], agents: Sequence[str], incarnation: int, hears: Hears
     ) -> None:
         """Connect to where absent agents are now. Zenoh connects to new endpoints only with a new session."""
-        first = places()
-        further = tuple(end for end in self._network.connect if end not in first.values())
         while not self._closed.wait(FOLLOW):
             try:
                 found = places()
@@ -179,7 +183,7 @@ class ZenohLink:
                 moved = [n for n, end in found.items() if n not in there and end not in self._network.connect]
                 if not moved and self._session is not None:
                     continue
-                network = replace(self._network, connect=(*found.values(), *further))
+                network = replace(self._network, connect=(*found.values(), *self._further))
                 self._config, self._network = self._configured(network), network
                 with self._opening:
                     if self._closed.is_set():
