@@ -108,6 +108,21 @@ def test_messages_come_from_a_proto_file_and_constants_from_a_header(tmp_path: P
     assert any("has no field `on`" in row.now for row in project.rows)
 
 
+def test_constants_with_their_message_are_those_of_the_proto_file(tmp_path: Path) -> None:
+    model(tmp_path, 'syntax = "proto2"; message B { enum C { ON = 3; } optional C c = 1; }', "b.proto")
+    states = '<Children name="Go" label="0.2" type="BASIC"/><Children name="0.3" label="0.3" type="END"/>'
+    moves = (
+        '<transitions source="//@nodes.0/@Children.0" target="//@nodes.0/@Children.1"/>'
+        '<transitions TE="[a.State.B.c()==B::%s]"'
+        ' source="//@nodes.0/@Children.1" target="//@nodes.0/@Children.2"/>'
+    )
+    project = import_models([model(tmp_path, chart(states, moves % "ON"))])
+    assert "a.state.B.c == B_C.ON]" in text_of(project)
+    assert compiled(project, tmp_path / "new")
+    other = import_models([model(tmp_path, chart(states, moves % "OFF"))])
+    assert any("`B_C` has no constant `OFF`" in row.now for row in other.rows)
+
+
 def test_several_models_are_one_project_with_the_modules_of_monas(tmp_path: Path) -> None:
     agents = model(
         tmp_path, "<agent ThreadFrequency=25><name>V</name><activity>Vision</activity></agent>", "a.xml"
@@ -212,6 +227,7 @@ def test_an_existing_file_is_not_overwritten(tmp_path: Path) -> None:
             "[a.State.B.c()==ON]/publish.a.Signal.S.set_v(ON)",
             "C.ON] / a.signal.S.v = C.ON; write_messages.a.signal.S",
         ),
+        ("[a.State.B.c()==messages::Mode::ON]", "[a.state.B.c == C.ON]"),
         ("go[a.State.B.c()=='x']", None),
         ("go[a.State.B.c()==2]/publish_all", "go [a.state.B.c == 2]"),
         ("go", "go"),

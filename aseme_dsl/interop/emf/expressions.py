@@ -346,7 +346,7 @@ class _Reader:
             return self.path(word)
         if self.take("("):
             return self.called(word, depth)
-        return Constant(word, named=True)
+        return Constant(word.rpartition("::")[2], named=True)  # `Mode::ON`: the field says whose it is
 
     def called(self, name: str, depth: int) -> Expression:
         arguments: list[Expression] = []

@@ -135,10 +135,12 @@ class Meaning:
         if declared is None:
             return
         enum = self.known.enums.get(declared.name) if declared.kind is Kind.ENUM else None
-        if enum is None or constant.text not in {name for name, _ in enum.constants}:
+        if enum is None:
             raise Untranslatable(
                 f"the value of `{constant.text}` is unknown: name the header that defines it"
             )
+        if constant.text not in {name for name, _ in enum.constants}:
+            raise Untranslatable(f"`{enum.name}` has no constant `{constant.text}`")
 
     def _check_bare(self, value: Expression) -> None:
         if isinstance(value, Constant) and value.named and not self._has_type(value):
