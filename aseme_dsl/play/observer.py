@@ -38,7 +38,7 @@ from aseme_dsl.play.sight.words import Said, failing, few, leaf_names, went_wron
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.monitor.rules import InOrder, State, Verdict, View, ended, seen
-from aseme_dsl.runtime.team.ending import Waiting
+from aseme_dsl.runtime.team.ending import Unread, Waiting
 from aseme_dsl.runtime.trace.records import Record
 
 if TYPE_CHECKING:
@@ -229,9 +229,12 @@ class Observer:
                 self._clauses.look(self._now)
                 self._take_clauses()
 
-    def end(self, moment: int) -> None:
-        """The run was to end at this moment: nothing changes any more."""
+    def end(self, moment: int, unread: Iterable[Unread] = ()) -> None:
+        """The run was to end at this moment: nothing changes any more, and nothing takes what is `unread`."""
         if self.broken is None:
+            for letter in unread:
+                said = letter.agent, letter.performative, letter.message
+                self._look(_Happening(untaken=said))
             self._pass_to(moment + 1)
             self.assumed.pass_to(moment + 1)
             for place, item in enumerate(self.script.expectations):

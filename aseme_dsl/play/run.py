@@ -167,7 +167,7 @@ def play(
         raise NotPlayable(str(problem)) from problem
     if result.reason == "interrupted":
         raise KeyboardInterrupt
-    observer.end(until)
+    observer.end(until, result.unread)
     if watch is not None:
         watch.ended(result.reason)
     broken = observer.broken

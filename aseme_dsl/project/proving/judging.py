@@ -5,24 +5,26 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import replace
+from functools import cached_property
 
 from aseme_dsl.amola.aip import Aip
 from aseme_dsl.amola.system import System
-from aseme_dsl.play.scenario import Expectation
+from aseme_dsl.play.scenario import Expectation, Untaken
 from aseme_dsl.project.proving.counterexample import Run
 from aseme_dsl.project.proving.replaying import played, written
 from aseme_dsl.project.proving.results import Bounds, Case, Result, Verdict
 from aseme_dsl.project.proving.scopes import PREFIX, Scope
 from aseme_dsl.project.proving.watched import (
     Watched,
+    conditions_in,
     is_timed,
     left_out_of_times,
     named,
     reads_what_is_tried,
 )
 from aseme_dsl.proofs.explore.explored import Assumed, Explored
-from aseme_dsl.proofs.explore.questions import Stuck, around, stuck, unmet
-from aseme_dsl.proofs.explore.search import Graph, Limits, Step
+from aseme_dsl.proofs.explore.questions import Stuck, Untouched, around, stuck, unmet, untouched
+from aseme_dsl.proofs.explore.search import Graph, Limits, Step, never_untaken
 from aseme_dsl.proofs.timed.schedule import moments
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan, State, Transition
@@ -116,7 +118,8 @@ class Judge:
         found = stuck(self._explored, self._graph)
         yield self._deadlock(found)
         if any(agent.plan.branches for agent in self._explored.agents):
-            yield self._seen("orphan messages", "orphan")
+            due = next((item for item in self._untouched if item.is_due), None)
+            yield self._seen("orphan messages", "orphan", ever=due)
             yield self._choice(found)
             yield from self._agreement()
         yield self._dead()
@@ -146,6 +149,8 @@ class Judge:
             steps = graph.way_to(state)
             further = 0 if circle else _LONG
             return self._refuted(name, reason, steps, item, round_=around(graph, circle), further=further)
+        if (ever := self._ever_untaken(item)) is not None:
+            return self._refuted(name, ever.text, graph.way_to(ever.state), item, further=_LONG)
         if any(witness not in graph.met for witness in item.witnesses) and graph.cut is None:
             return self._result(
                 name, Verdict.UNDECIDED, "vacuous: what it speaks of never happens", item=item
@@ -156,6 +161,28 @@ class Judge:
             reason = "it asks for values, of which a few are tried"
             return self._result(name, Verdict.UNDECIDED, reason, item=item)
         return self._unbroken(name, item=item)
+
+    def _ever_untaken(self, item: Expectation) -> Untouched | None:
+        """A message that waits for ever, if an expectation asks for such ones: in a run, that shows at the
+        end."""
+        assert self._watch is not None
+        script = replace(self._watch.observer.script, expectations=(item,))
+        asked = [condition for condition in conditions_in(script) if isinstance(condition, Untaken)]
+        return next(
+            (
+                found
+                for found in (self._untouched if asked else ())
+                for condition in asked
+                if condition.kind == found.letter.message
+                and condition.performative in (None, found.letter.performative)
+                and (condition.agents is None or found.letter.receiver in condition.agents)
+            ),
+            None,
+        )
+
+    @cached_property
+    def _untouched(self) -> tuple[Untouched, ...]:
+        return tuple(untouched(self._explored, self._graph))
 
     def failures(self) -> Result:
         """The answer about failures, of a search with times."""
@@ -185,7 +212,9 @@ class Judge:
     def _choice(self, found: Stuck | None) -> Result:
         """Two agents that send past each other: neither takes what the other has sent."""
         if found is None or found.past is None:
-            return self._seen("non-local choice", "race")
+            past = next((item for item in self._untouched if item.is_past), None)
+            why = "" if past is None else f"{past.text}, and both have sent past each other"
+            return self._seen("non-local choice", "race", ever=past, why=why)
         reason = f"{found.agent} and {found.past} have sent past each other, and {found.agent} waits for ever"
         steps = self._graph.way_to(found.state)
         return self._refuted("non-local choice", reason, steps, further=_LONG, expects=[self._waits(found)])
@@ -208,11 +237,18 @@ class Judge:
         where = next((name for name in names if name.isidentifier()), agent.plan.name)
         return f"at {{end}} not {found.agent} in {where}"
 
-    def _seen(self, name: str, *kinds: str) -> Result:
-        first = next((item for item in self._graph.sightings if item.kind in kinds), None)
-        if first is None:
-            return self._unbroken(name, is_built_in=True)
-        return self._refuted(name, first.text, self._graph.way_with(first.at), expects=first.expects)
+    def _seen(self, name: str, *kinds: str, ever: Untouched | None = None, why: str = "") -> Result:
+        """Whether something was seen, or a message waits for `ever`; `why` that speaks against it."""
+        graph = self._graph
+        first = next((item for item in graph.sightings if item.kind in kinds), None)
+        if first is not None:
+            return self._refuted(name, first.text, graph.way_with(first.at), expects=first.expects)
+        if ever is not None:
+            expects = (never_untaken(ever.letter.message, ever.letter.receiver),)
+            return self._refuted(
+                name, why or ever.text, graph.way_to(ever.state), further=_LONG, expects=expects
+            )
+        return self._unbroken(name, is_built_in=True)
 
     def _agreement(self) -> Iterator[Result]:
         """Two outcomes of one protocol never come together."""

@@ -378,6 +378,7 @@ def is_timed(rule: Rule) -> bool:
 __all__ = [
     "Watched",
     "asked_by",
+    "conditions_in",
     "is_timed",
     "layout_of",
     "left_out_of_times",

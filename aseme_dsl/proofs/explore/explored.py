@@ -32,10 +32,10 @@ from aseme_dsl.runtime.activity.executions import _Node
 from aseme_dsl.runtime.agent.agent import Agent
 from aseme_dsl.runtime.channel.bus import Bus
 from aseme_dsl.runtime.chart.chart import Chart
-from aseme_dsl.runtime.chart.inputs import Sample
+from aseme_dsl.runtime.chart.inputs import LOST, AgentMessage, Sample
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.conversation.conversation import Conversations
-from aseme_dsl.runtime.message.acl import AclMessage
+from aseme_dsl.runtime.message.acl import NOT_UNDERSTOOD, AclMessage
 from aseme_dsl.runtime.time.clock import shown
 from aseme_dsl.runtime.trace.trace import Listener, Trace
 from aseme_dsl.runtime.version.loading import Loaded
@@ -88,6 +88,17 @@ class Move:
     """Whether time passes."""
     window: Window | None = None
     """When it happens, where that is not at any time."""
+
+
+@dataclass(frozen=True, slots=True)
+class Letter:
+    """An agent message that waits at its receiver."""
+
+    receiver: str
+    sender: str
+    number: int
+    performative: str
+    message: str
 
 
 class Explored:
@@ -321,6 +332,20 @@ class Explored:
     def invitations(self, agent: Agent) -> list[AclMessage]:
         """The agent messages that wait for a participant of an agent to be entered or free."""
         return self.conversations._members.desks[agent.name].invitations.waiting()
+
+    def letters(self) -> tuple[Letter, ...]:
+        """The agent messages that wait to be taken, in an order that does not depend on their numbers."""
+        found: list[Letter] = []
+        for name, desk in self.conversations._members.desks.items():
+            mail: list[AgentMessage | AclMessage] = []
+            for _, place in sorted(desk.branches.items()):
+                mail += [item for _, item in sorted(place.waiting.items(), key=repr)]
+            mail += desk.invitations.waiting()
+            for item in mail:
+                if item.performative not in (NOT_UNDERSTOOD, LOST):
+                    number = item.identity[1]
+                    found.append(Letter(name, item.sender, number, item.performative, item.message))
+        return tuple(found)
 
     def writers(self) -> Mapping[str, frozenset[str]]:
         """The agents that may publish on each channel."""
@@ -644,4 +669,4 @@ def _passed(plan: Plan, item: Passing) -> str:
             return f"{item.name} is {shown(item.duration)} old"
 
 
-__all__ = ["Assumed", "Circling", "Explored", "Move"]
+__all__ = ["Assumed", "Circling", "Explored", "Letter", "Move"]

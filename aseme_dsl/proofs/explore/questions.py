@@ -8,8 +8,8 @@ from dataclasses import replace
 from functools import partial
 
 from aseme_dsl.proofs.explore.deciding.staging import raised_by
-from aseme_dsl.proofs.explore.explored import Explored
-from aseme_dsl.proofs.explore.search import Edge, Graph, Kind, Step
+from aseme_dsl.proofs.explore.explored import Explored, Letter
+from aseme_dsl.proofs.explore.search import CROSSED, NEW, Edge, Graph, Kind, Step
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.agent.agent import Agent
 from aseme_dsl.runtime.team.ending import Waiting, waits_of
@@ -139,6 +139,94 @@ def _unread(explored: Explored, agent: Agent) -> frozenset[str]:
         if receiver == agent.name and any(item.kind == "mail" for item in items)
     }
     return frozenset(mail | coming | {item.sender for item in explored.invitations(agent)})
+
+
+# ---- messages that wait for ever ---------------------------------------------------------------------
+
+
+@dataclass(frozen=True, slots=True)
+class Untouched:
+    """An agent message that nothing ever takes from a state on. `is_due`: it should be taken, as nothing has
+    crossed it, no agent has crashed, and no deadline has passed in the two agents. `is_past`: it has crossed
+    another one that nothing takes either, and no agent has crashed."""
+
+    letter: Letter
+    state: int
+    is_due: bool
+    is_past: bool
+
+    @property
+    def text(self) -> str:
+        letter = self.letter
+        return f"{letter.receiver} never takes {letter.performative} {letter.message} of {letter.sender}"
+
+
+def untouched(explored: Explored, graph: Graph) -> Iterator[Untouched]:
+    """The agent messages that wait for ever, the nearest first.
+
+    Each message is followed from state to state. One waits for ever if no way leads to a state in which it
+    waits no more.
+    """
+    before: dict[_Place, list[_Place]] = {}
+    after: dict[_Place, list[_Place]] = {}
+    new: set[_Place] = set()
+    crossed: set[_Place] = set()
+    goes: list[_Place] = []
+    for state, letters in enumerate(graph.letters):
+        if state not in graph.edges:
+            goes += [(state, place) for place in range(len(letters))]
+        for edge in graph.edges.get(state, ()):
+            goes += [(state, place) for place in range(len(letters)) if place not in edge.letters]
+            for place, former in enumerate(edge.letters):
+                now = edge.target, place
+                if former == NEW:
+                    new.add(now)
+                elif former == CROSSED:
+                    crossed.add(now)
+                else:
+                    before.setdefault(now, []).append((state, former))
+                    after.setdefault((state, former), []).append(now)
+    going = _reached(goes, before)
+    new, crossed = _reached(new, after), _reached(crossed, after)
+    stays = [
+        (state, place)
+        for state, letters in enumerate(graph.letters)
+        for place in range(len(letters))
+        if (state, place) not in going
+    ]
+    past = {
+        (state, graph.letters[state][place].sender, graph.letters[state][place].receiver)
+        for state, place in stays
+        if (state, place) in crossed
+    }
+    for state, place in stays:
+        letter = graph.letters[state][place]
+        explored.take_back(graph.pictures[state])
+        has_crashed = bool(explored.crashed)
+        pair = letter.receiver, letter.sender
+        is_due = (state, place) in new and not has_crashed and explored.late.isdisjoint(pair)
+        is_past = (
+            (state, place) in crossed
+            and not has_crashed
+            and ((state, *pair) in past or pair in explored.spurned)
+        )
+        yield Untouched(letter, state, is_due, is_past)
+
+
+_Place = tuple[int, int]
+"""A state, and the place of a message among those that wait there."""
+
+
+def _reached(some: Iterable[_Place], ways: Mapping[_Place, Iterable[_Place]]) -> set[_Place]:
+    """These, and all to which ways lead from them."""
+    found = set(some)
+    todo = list(found)
+    while todo:
+        for item in ways.get(todo.pop(), ()):
+            if item not in found:
+                found.add(item)
+                todo.append(item)
+    return found
 
 
 # ---- what has to come -------------------------------------------------------------------------------

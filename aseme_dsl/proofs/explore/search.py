@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import field
 from heapq import heappop, heappush
 from time import process_time
 
-from aseme_dsl.proofs.explore.explored import Circling, Explored, Move
+from aseme_dsl.proofs.explore.explored import Circling, Explored, Letter, Move
 from aseme_dsl.proofs.explore.memory import Picture
 from aseme_dsl.proofs.timed.stamp import Window
 from aseme_dsl.records import dataclass
@@ -56,7 +56,13 @@ class Edge:
     taken: frozenset[tuple[str, tuple[int, ...]]]
     """The transitions that agents have taken on it, those of a compound transition together."""
     step: Step
+    letters: tuple[int, ...] = ()
+    """Of each agent message that waits after it (see `Graph.letters`): its place among those that waited
+    before; NEW or CROSSED if it has come with this move."""
 
+
+NEW, CROSSED = -1, -2
+"""An agent message has come now; the second, if it has crossed one of its receiver."""
 
 Arrival = tuple[int, Step] | None
 """How a state was reached: a state, and the move that was made there; None for the first one."""
@@ -86,6 +92,8 @@ class Graph:
     """Where each agent is in each state: the number of the active leaf of each region."""
     awaited: list[frozenset[int]] = field(default_factory=list)
     """The expectations for which something is still awaited in each state."""
+    letters: list[tuple[Letter, ...]] = field(default_factory=list)
+    """The agent messages that wait at agents in each state."""
     pictures: dict[int, Picture] = field(default_factory=dict)
     sightings: list[Sighting] = field(default_factory=list)
     broken: dict[int, Arrival] = field(default_factory=dict)
@@ -155,6 +163,11 @@ class Monitors:
     broken: Callable[[], Sequence[int]] = tuple
     """The expectations that are broken now, and were not before; from now on they count as kept."""
     met: Callable[[], set[int]] = set
+
+
+def never_untaken(message: str, receiver: str) -> str:
+    """The statement of a scenario that an agent takes what comes to it of a type."""
+    return f"never untaken {message} by {receiver}"
 
 
 def search(
@@ -276,6 +289,7 @@ class _Search:
         explored, graph = self._explored, self._graph
         picture = graph.pictures[state]
         explored.take_back(picture)
+        letters = {item: place for place, item in enumerate(explored.letters())}
         moves = list(explored.moves())
         graph.enabled[state] = frozenset(move.kind for move in moves if move.is_fair)
         edges: list[Edge] = []
@@ -283,7 +297,7 @@ class _Search:
             explored.choices.begin()
             while True:
                 explored.take_back(picture)
-                edges += self._make(state, number, move)
+                edges += self._make(state, number, move, letters)
                 kept = explored.choices.kept()
                 yield
                 if self._is_elsewhere:
@@ -295,7 +309,7 @@ class _Search:
                     break
         graph.edges[state] = tuple(edges)
 
-    def _make(self, state: int, number: int, move: Move) -> Iterator[Edge]:
+    def _make(self, state: int, number: int, move: Move, before: Mapping[Letter, int]) -> Iterator[Edge]:
         explored, graph, eyes = self._explored, self._graph, self._eyes
         eyes.clear()
         graph.moves += 1
@@ -313,7 +327,9 @@ class _Search:
         self._look((state, step))
         if circling is not None:
             graph.sightings.append(Sighting("circling", circling, (state, step)))
-        yield Edge(target, move.kind, frozenset(eyes.taken), step)
+        new = CROSSED if explored.arriving is not None and explored.arriving.crosses else NEW
+        letters = tuple([before.get(item, new) for item in explored.letters()])
+        yield Edge(target, move.kind, frozenset(eyes.taken), step, letters)
 
     def _judge(self) -> None:
         """Whether a message that nothing takes is more than late: its receiver has let no deadline pass.
@@ -323,7 +339,7 @@ class _Search:
         """
         explored, eyes = self._explored, self._eyes
         for sender, receiver, text, message in eyes.untaken:
-            expects = (f"never untaken {message} by {receiver}",)
+            expects = (never_untaken(message, receiver),)
             if explored.crashed:
                 continue
             if explored.arriving is None or not explored.arriving.crosses:
@@ -353,6 +369,7 @@ class _Search:
         self._agenda.add(number, None if before is None else before[0])
         graph.places.append(tuple(_places(agent) for agent in explored.agents))
         graph.awaited.append(self._monitors.awaited())
+        graph.letters.append(explored.letters())
         return number
 
     def _look(self, move: Arrival) -> None:
@@ -378,4 +395,17 @@ def _places(agent: Agent) -> tuple[int, ...]:
     return tuple(getattr(chart, f"r{number}") for number in range(len(chart.REGIONS)))
 
 
-__all__ = ["Agenda", "Edge", "Eyes", "Graph", "Limits", "Monitors", "Sighting", "Step", "search"]
+__all__ = [
+    "CROSSED",
+    "NEW",
+    "Agenda",
+    "Edge",
+    "Eyes",
+    "Graph",
+    "Limits",
+    "Monitors",
+    "Sighting",
+    "Step",
+    "never_untaken",
+    "search",
+]
