@@ -52,11 +52,13 @@ class Sketch(ABC):
             case StateType.CONDITION:
                 yield f"{indent}state {name} <<choice>>"
                 return
-        yield f'{indent}state "{self.quoted(self.chart.title(state))}" as {name}'
-        if state.type is not StateType.BASIC:
-            yield f"{indent}state {name} {{"
-            yield from self.inside(state, indent + "  ")
-            yield f"{indent}}}"
+        named = f'{indent}state "{self.quoted(self.chart.title(state))}" as {name}'
+        if state.type is StateType.BASIC:
+            yield named
+            return
+        yield f"{named} {{"  # PlantUML forgets the name of a state that stands a second time without it
+        yield from self.inside(state, indent + "  ")
+        yield f"{indent}}}"
 
     def inside(self, state: State, indent: str) -> Iterator[str]:
         """The states in a composite, and the transitions between them."""

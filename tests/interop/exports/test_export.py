@@ -72,6 +72,16 @@ def test_names_that_a_format_does_not_have_are_noted_with_their_place(
     assert capsys.readouterr().err == ""
 
 
+def test_a_composite_of_plantuml_has_its_name_where_its_inside_is() -> None:
+    """PlantUML forgets a name where the state stands once more without it."""
+    (drawing,) = exported(LAMP, Format.PLANTUML).values()
+    lines = [line.strip() for line in drawing.splitlines()]
+    assert 'state "lamp" as lamp_0 {' in lines
+    assert not [
+        line for line in lines if line.startswith("state ") and line.endswith("{") and '"' not in line
+    ]
+
+
 def test_drawings_and_processes_escape_what_is_written() -> None:
     (drawing,) = exported(LAMP, Format.MERMAID).values()
     assert "#34;a#92;#34;#60;b#62;#38;#45;#45;#37;#34;" in drawing

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import shutil
 import subprocess
 from pathlib import Path
@@ -100,6 +101,19 @@ def test_plantuml_reads_drawings(tmp_path: Path) -> None:
     for made in found[:3]:
         done = subprocess.run(["plantuml", "-syntax"], input=made, capture_output=True, text=True, timeout=60)
         assert done.stdout.startswith("STATE"), done.stdout
+
+
+@pytest.mark.skipif(not DRAWINGS, reason="NOT TRIED here, but in the second lane")
+def test_plantuml_shows_the_names_of_composites(tmp_path: Path) -> None:
+    if shutil.which("plantuml") is None:
+        pytest.skip("NOT TRIED, for there is no `plantuml` here: apt-get install plantuml")
+    system = system_of((ROOT / "tests/acceptance/kouretes.aseme").read_text("utf-8"))
+    ((_, made),), _ = files_of(system, system.iacs[0], Format.PLANTUML)
+    (tmp_path / "chart.puml").write_text(made, "utf-8")
+    subprocess.run(["plantuml", "-tsvg", "chart.puml"], cwd=tmp_path, check=True, timeout=120)
+    drawn = set(re.findall(r"<text[^>]*>([^<]*)</text>", (tmp_path / "chart.svg").read_text("utf-8")))
+    names = set(re.findall(r'state "\w+" as (\w+)', made))
+    assert names and not names & drawn
 
 
 def checked(names: list[str], folder: Path) -> tuple[int, str]:
