@@ -316,14 +316,14 @@ def test_a_participant_that_is_given_an_agent_is_not_played_alone(prove) -> None
     )
 
 
-def test_a_property_about_values_that_are_not_all_tried_is_not_proved(prove) -> None:  # type: ignore[no-untyped-def]
+def test_a_property_about_values_has_those_tried_that_it_asks_for(prove) -> None:  # type: ignore[no-untyped-def]
     text = NEAR[: NEAR.index("property")].replace(
         "srm robot {", "srm robot {\n  var tries : int = 0\n  activities { Look writes tries }"
     )
     text += 'property "few" { always robot has [tries < 3] }\n'
-    text += 'property "small" { never received Ball b [b.number > 900] }\n'
+    text += 'property "small" { never received Ball b [b.distance > 900.0] }\n'
     found = verdicts(prove(text, "--json"))
-    assert (found["few"], found["small"]) == ("UNDECIDED", "UNDECIDED")
+    assert (found["few"], found["small"]) == ("REFUTED", "REFUTED")
 
 
 MODULE = """\

@@ -16,11 +16,11 @@ from aseme_dsl.project.proving.results import Bounds, Case, Result, Verdict
 from aseme_dsl.project.proving.scopes import PREFIX, Scope
 from aseme_dsl.project.proving.watched import (
     Watched,
+    asks_for_more,
     conditions_in,
     is_timed,
     left_out_of_times,
     named,
-    reads_what_is_tried,
 )
 from aseme_dsl.proofs.explore.explored import Assumed, Explored
 from aseme_dsl.proofs.explore.questions import Stuck, Untouched, around, stuck, unmet, untouched
@@ -156,9 +156,8 @@ class Judge:
                 name, Verdict.UNDECIDED, "vacuous: what it speaks of never happens", item=item
             )
         assert self._watch is not None
-        plans = [agent.plan for agent in self._explored.agents]
-        if reads_what_is_tried(self._watch.observer.script, item, plans):
-            reason = "it asks for values, of which a few are tried"
+        if asks_for_more(self._watch.observer.script, item):
+            reason = "it asks for an age, the history of a channel, or a function"
             return self._result(name, Verdict.UNDECIDED, reason, item=item)
         return self._unbroken(name, item=item)
 

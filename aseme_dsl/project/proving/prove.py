@@ -41,6 +41,7 @@ from aseme_dsl.project.proving.watched import (
     messages_in,
     named,
     names_in,
+    terms_in,
 )
 from aseme_dsl.proofs.explore.apart import groups_of
 from aseme_dsl.proofs.explore.explored import Assumed, Explored
@@ -264,6 +265,7 @@ def _searched(
         messages_in(script, loaded.messages),
         about,
         times is not None,
+        conditions=tuple(terms_in(script)),
     )
     if about is not None and explored.needed is None and times is None:
         return None

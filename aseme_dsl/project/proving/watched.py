@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import (
     Callable,
-    Collection,
     Iterable,
     Iterator,
     Mapping,
@@ -16,6 +15,7 @@ from functools import partial
 from typing import assert_never
 
 from aseme_dsl.amola import expression as e
+from aseme_dsl.codegen.plan import value_term
 from aseme_dsl.play.conversations import Clauses
 from aseme_dsl.play.observer import Observer
 from aseme_dsl.play.scenario import (
@@ -35,7 +35,6 @@ from aseme_dsl.play.scenario import (
     all_parts,
 )
 from aseme_dsl.play.sight.insight import Insight, Live
-from aseme_dsl.proofs.explore.deciding.staging import undecided
 from aseme_dsl.proofs.explore.explored import Explored
 from aseme_dsl.proofs.explore.needed import Asked
 from aseme_dsl.proofs.explore.search import Monitors
@@ -44,7 +43,6 @@ from aseme_dsl.proofs.timed.search import Due
 from aseme_dsl.proofs.timed.stamp import Mark, Stamp
 from aseme_dsl.runtime.agent.agent import Agent
 from aseme_dsl.runtime.chart.board import NEVER
-from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.monitor.rules import (
     AfterFirst,
     Always,
@@ -94,11 +92,15 @@ def conditions_in(script: Script | None) -> Iterator[Condition]:
     """The conditions that the expectations of a script speak of, with those inside."""
     if script is None:
         return
+    for number in _numbers_in(script):
+        yield script.conditions[number]
+
+
+def _numbers_in(script: Script) -> Iterable[int]:
     numbers = (
         number for item in script.expectations for number in (*conditions_of(item.rule), *item.witnesses)
     )
-    for number in dict.fromkeys(all_parts(script.conditions, numbers)):
-        yield script.conditions[number]
+    return dict.fromkeys(all_parts(script.conditions, numbers))
 
 
 def names_in(script: Script | None) -> frozenset[str]:
@@ -126,6 +128,18 @@ def messages_in(script: Script | None, kinds: Iterable[str]) -> frozenset[str]:
             case _:
                 pass
     return frozenset(found).intersection(kinds)
+
+
+def terms_in(script: Script | None) -> Iterator[tuple[object, str]]:
+    """What conditions ask of values: as terms of plans, with the type of the message they name, or ""."""
+    for item in conditions_in(script):
+        match item:
+            case Holds(value=value):
+                yield value_term(value), ""
+            case Says(what=what, condition=value) if value is not None:
+                yield value_term(value), what.rpartition(".")[2]
+            case _:
+                pass
 
 
 def _channel(part: e.Value) -> str:
@@ -171,7 +185,7 @@ class Watched:
     """Shows the observer of scenarios what happens in a team that is explored."""
 
     def __init__(self, script: Script) -> None:
-        self.observer = Observer(_from_now(script), {}, goes_on=True)
+        self.observer = Observer(_from_now(_only_asked(script)), {}, goes_on=True)
         self.observer._now = NOW
         self._retired: set[int] = set()
         self._explored: Explored | None = None
@@ -295,6 +309,13 @@ class Watched:
             del clauses._talks[name]
 
 
+def _only_asked(script: Script) -> Script:
+    """The same without the conditions of which no expectation speaks: looking at them would decide values."""
+    asked = set(_numbers_in(script))
+    conditions = [item if number in asked else AnyOf(()) for number, item in enumerate(script.conditions)]
+    return replace(script, conditions=tuple(conditions))
+
+
 def _from_now(script: Script) -> Script:
     """The same with moments that are counted from the moment at which an explored team stands."""
     return replace(
@@ -320,25 +341,18 @@ def named(item: Expectation) -> str:
     return item.of.removeprefix("property ").strip('"')
 
 
-def reads_what_is_tried(script: Script, item: Expectation, plans: Iterable[Plan]) -> bool:
-    """Whether an expectation asks for values of which a few are tried: of messages or of activities."""
-    written = {name.partition("@")[0] for plan in plans for name in undecided(plan)}
-    for condition in conditions_in(replace(script, expectations=(item,))):
-        match condition:
-            case Holds(value=value):
-                if any(_is_tried(part, written) for part in e.walk(value)):
-                    return True
-            case Says(condition=value) if value is not None:
-                return True
-            case _:
-                pass
-    return False
-
-
-def _is_tried(part: e.Value, written: Collection[str]) -> bool:
-    if isinstance(part, e.VariableValue):
-        return part.name.partition("@")[0] in written
-    return isinstance(part, e.Member | e.Bound | e.Age | e.At | e.Mean | e.Call)
+def asks_for_more(script: Script, item: Expectation) -> bool:
+    """Whether an expectation asks for what is not tried so that all cases are there: ages, the history of a
+    channel, what functions give."""
+    return any(
+        isinstance(part, e.Age | e.At | e.Mean)
+        or (isinstance(part, e.Call) and not part.function.target.startswith("builtin:"))
+        for condition in conditions_in(replace(script, expectations=(item,)))
+        if isinstance(condition, Holds | Says)
+        for value in ((condition.value if isinstance(condition, Holds) else condition.condition),)
+        if value is not None
+        for part in e.walk(value)
+    )
 
 
 def left_out_of_times(rule: Rule, agents: Iterable[Agent]) -> str:
@@ -378,6 +392,7 @@ def is_timed(rule: Rule) -> bool:
 __all__ = [
     "Watched",
     "asked_by",
+    "asks_for_more",
     "conditions_in",
     "is_timed",
     "layout_of",
@@ -385,5 +400,5 @@ __all__ = [
     "messages_in",
     "named",
     "names_in",
-    "reads_what_is_tried",
+    "terms_in",
 ]

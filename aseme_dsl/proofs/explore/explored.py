@@ -18,7 +18,7 @@ from aseme_dsl.proofs.explore.deciding.choosing import Choices
 from aseme_dsl.proofs.explore.deciding.later import Contents, Later
 from aseme_dsl.proofs.explore.deciding.outcomes import Outcomes
 from aseme_dsl.proofs.explore.deciding.staging import OPEN, StandsFor, asked_in, events, lists_of, staged
-from aseme_dsl.proofs.explore.deciding.values import Values
+from aseme_dsl.proofs.explore.deciding.values import Condition, Values
 from aseme_dsl.proofs.explore.memory import Memory, Picture
 from aseme_dsl.proofs.explore.needed import Asked, needed_for
 from aseme_dsl.proofs.explore.on_the_way import Came, come, letter_of, sample_of
@@ -117,13 +117,14 @@ class Explored:
         asked: Asked | None = None,
         with_times: bool = False,
         alone: Alone | None = None,
+        conditions: Sequence[Condition] = (),
     ) -> None:
         """`listeners` are given the lines of a trace. `further` objects belong to the state of the team;
         `layout` has the parts of these, and what of those is not keyed (see `Layout`). They ask for the
-        variables and timers in `kept`, and for what is in messages of the types `told`. What does not matter
-        to the question that is `asked`, if there is one, does not move. `with_times`, each move says when it
-        may happen, counted from those before; else time is not measured. `alone`, there is one agent, and it
-        says what comes to that."""
+        variables and timers in `kept`, for what is in messages of the types `told`, and for `conditions`.
+        What does not matter to the question that is `asked`, if there is one, does not move. `with_times`,
+        each move says when it may happen, counted from those before; else time is not measured. `alone`,
+        there is one agent, and it says what comes to that."""
         self.choices = Choices()
         self._assumed = assumed
         self.driver = driver = Still()
@@ -158,13 +159,15 @@ class Explored:
             for name, role in team
             for channel in reads_of(loaded.charts[role].PLAN)
         ]
-        self.values = Values(plans, loaded.types, names, fixed_in(known), is_few=alone is not None)
+        self.values = Values(
+            plans, loaded.types, names, fixed_in(known), is_few=alone is not None, conditions=conditions
+        )
         self._outcomes = Outcomes(self.choices)
         self.later = Later(self.choices, self.values, self._outcomes)
         contents = Contents(self.choices, self.values, self.later, loaded.messages, told)
         is_asked = asked_in(plans, told)
         self._acting = acting = Acting(
-            self.choices, self.values, contents, plans, self._is_new, self._outcomes, is_asked
+            self.choices, self.values, contents, plans, self._is_new, self._outcomes, is_asked, kept
         )
         acting.publishes = alone is None
         charts = {

@@ -46,10 +46,11 @@ class Acting:
         is_new: Callable[[Agent, str], bool],
         outcomes: Outcomes,
         is_asked: Callable[[str], bool],
+        kept: frozenset[str],
     ) -> None:
         """`is_new` says whether what activities of an agent publish on a channel is there for it whenever it
         looks for it, and for no other agent. `is_asked` says whether anything but activities asks for the
-        messages of a channel.
+        messages of a channel, and `kept` has the variables that something beside the plans looks at.
         """
         self._is_new = is_new
         self._choices = choices
@@ -57,7 +58,7 @@ class Acting:
         self._values = values
         self._contents = contents
         self._plans = {plan.name: plan for plan in plans}
-        self._watched = {plan.name: watched(plan) for plan in plans}
+        self._watched = {plan.name: watched(plan) | kept for plan in plans}
         self._writes: dict[tuple[str, str], list[str]] = {}
         self._is_asked = is_asked
         self._reads = 0
@@ -118,13 +119,16 @@ class Acting:
         agent = cast("Agent", execution.owner.agent)
         info = execution.info
         self._read(agent, execution)
-        for name in self.written(agent, execution, is_end=is_end):
-            self._set(agent, execution, name)
         for channel in info.writes:
             if is_end or not self._is_new(agent, channel):
                 self._publish(agent, execution, channel)
         if execution.branch is not None:
             self._send(agent, execution, execution.branch)
+        written = self.written(agent, execution, is_end=is_end)
+        for name in written:  # at last: only the agent's step shows it
+            self._set(agent, execution, name)
+        if written and not is_end:
+            agent.begin()
 
     def _set(self, agent: Agent, execution: Execution, name: str) -> None:
         """An activity writes a variable: what, is decided when it is read."""

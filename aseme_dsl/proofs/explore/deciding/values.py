@@ -30,6 +30,9 @@ _ORDER = ("==", "!=", "<", "<=", ">", ">=")
 _PLAIN = frozenset(("!", "&&", "||", "has", "holds", "call", "evaluate", "age", "", "send"))
 """What reads no more of a value than whether it is true or there, or hands it to a function."""
 
+Condition = tuple[object, str]
+"""A condition, as a plan has them, and the type of the message that is `taken` in it, if there is one."""
+
 Place = tuple[str, tuple[str, ...]]
 """Where a value stands: a variable or a type of message, and the path in it."""
 
@@ -70,9 +73,10 @@ class Values:
         agents: Sequence[str],
         fixed: Mapping[Place, frozenset[object]] | None = None,
         is_few: bool = False,
+        conditions: Sequence[Condition] = (),
     ) -> None:
         """`types` are the classes of messages and enums by name. What may stand at the places in `fixed` is
-        known. `is_few`: as few values as possible are tried."""
+        known. `is_few`: as few values as possible are tried. Others than the plans ask for `conditions`."""
         self.fixed: Mapping[Place, frozenset[object]] = {} if fixed is None else fixed
         self._is_few = is_few
         self._enums = enums_of(types)
@@ -87,7 +91,10 @@ class Values:
         self._by_lines: set[str] = set()
         """The types of messages that lines of the document fill, publish, send or receive."""
         for plan in plans:
-            _Reader(self, plan).learn()
+            reader = _Reader(self, plan)
+            reader.learn()
+            for term, taken in conditions:
+                reader.read(term, taken)
             self._by_lines |= {channel.rpartition(".")[2] for channel in by_lines_of(plan)}
             self._by_lines |= {
                 message for info in plan.branches for _, message in (*info.sends, *info.receives)
@@ -245,12 +252,16 @@ class _Reader:
         for item in self.plan.transitions:
             taken = next((str(event[2]) for event in item.events if event[0] == "received"), "")
             if item.condition is not None:
-                self._term(item.condition, taken)
+                self.read(item.condition, taken)
             for action in item.actions:
                 self._action(action, taken, item)
         for state in self.plan.states:
             for _, term in state.arguments:
-                self._term(term, "")
+                self.read(term, "")
+
+    def read(self, term: object, taken: str) -> None:
+        """Learn what a condition does with values; `taken` is the type of the message it names, or ""."""
+        self._term(term, taken)
 
     def _action(self, action: tuple[object, ...], taken: str, item: Transition) -> None:
         match action:
@@ -525,4 +536,4 @@ def _default(kind: object) -> object:
     return kind() if callable(kind) else None
 
 
-__all__ = ["Tried", "Values", "enums_of"]
+__all__ = ["Condition", "Tried", "Values", "enums_of"]
