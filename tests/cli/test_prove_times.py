@@ -248,3 +248,30 @@ property "it" { assume A takes 0s..MOST  A before B }
     assert verdicts(prove(text.replace("MOST", "1999ms"), "failures"))["failures"] == "PROVED"
     done = prove(text.replace("MOST", "2s"), "failures")
     assert verdicts(done)["failures"] == "REFUTED", done.out
+
+
+@pytest.mark.parametrize("is_sure", ["", "!"])
+def test_a_region_that_is_entered_again_when_a_timer_expires_can_also_go_on(prove, is_sure: str) -> None:  # type: ignore[no-untyped-def]
+    text = f"""\
+system Anew
+function sure(int n) : bool = "tests.oracle.functions:even"
+srm robot {{
+  var n : int = 1
+  liveness {{
+    robot = (part || idle)~
+    part  = Look . [Kick]
+    idle  = [Rest]
+  }}
+  control idle {{
+    enter Rest : [false]
+    skip Rest : else
+  }}
+  control part {{
+    enter [Kick] : / start_timer(due, 1s)
+    skip Kick : [expired(due) && {is_sure}sure(n)]
+    enter Kick : [expired(due) && !({is_sure}sure(n))]
+  }}
+}}
+team T {{ it : robot }}
+"""
+    assert verdict(prove, text, "never it in Kick") == "REFUTED"

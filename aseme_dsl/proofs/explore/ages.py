@@ -56,8 +56,8 @@ def _of_boards(chart: Chart, thresholds: Mapping[str, tuple[int, ...]]) -> Itera
             continue
         for name, due in board.timers.items():
             if due > NOW:
-                yield Passing("timer", name, 0, _expire(board, name, due), due, (number,))
-        yield from _messages(number, board, thresholds)
+                yield Passing("timer", name, 0, _expire(chart, number, name, due), due, (number,))
+        yield from _messages(chart, number, board, thresholds)
 
 
 def _once(items: Iterable[Passing]) -> Iterator[Passing]:
@@ -84,8 +84,16 @@ def pauses(agent: Agent) -> Iterator[tuple[str, _Node, int]]:
             yield label, node, every
 
 
-def _expire(board: Board, name: str, due: int) -> Callable[[], None]:
-    return lambda: board.timers.__setitem__(name, standing(due, NOW))
+def _board(chart: Chart, number: int) -> Board:
+    """The blackboard of an active region. A region that is entered again has a new one, so what is to be done
+    with a blackboard later finds it by its number."""
+    board = chart.boards()[number]
+    assert board is not None
+    return board
+
+
+def _expire(chart: Chart, number: int, name: str, due: int) -> Callable[[], None]:
+    return lambda: _board(chart, number).timers.__setitem__(name, standing(due, NOW))
 
 
 def _states(chart: Chart) -> Iterator[Passing]:
@@ -160,18 +168,20 @@ def asks_for_history(plan: Plan) -> bool:
     return False
 
 
-def _messages(number: int, board: Board, thresholds: Mapping[str, tuple[int, ...]]) -> Iterator[Passing]:
+def _messages(
+    chart: Chart, number: int, board: Board, thresholds: Mapping[str, tuple[int, ...]]
+) -> Iterator[Passing]:
     for channel, ages in thresholds.items():
         for sender, item in _newest(board, channel).items():
             older = next_age(NOW - item.time, ages)
             if older is not None:
-                pass_ = _older(board, channel, sender, item, older)
+                pass_ = _older(chart, number, channel, sender, item, older)
                 place = number, sender
                 yield Passing("message", channel, older, pass_, item.time, place, item.identity)
     for channel, longest in board.EXPIRES.items():
         for index, item in enumerate(board._signals.get(channel, ())):
             if NOW - item.time < longest:
-                pass_ = _old(board, channel, item, longest)
+                pass_ = _old(chart, number, channel, item, longest)
                 yield Passing("signal", channel, longest, pass_, item.time, (number, index), item.identity)
 
 
@@ -188,8 +198,11 @@ def _newest(board: Board, channel: str) -> dict[str, Sample]:
     return {item.sender: item for item in board._data.get(channel, ())}
 
 
-def _older(board: Board, channel: str, sender: str, item: Sample, age: int) -> Callable[[], None]:
+def _older(
+    chart: Chart, number: int, channel: str, sender: str, item: Sample, age: int
+) -> Callable[[], None]:
     def make() -> None:
+        board = _board(chart, number)
         board.part()
         newest = {**_newest(board, channel), sender: replace(item, time=standing(item.time, NOW - age))}
         if channel in board._states:
@@ -201,8 +214,9 @@ def _older(board: Board, channel: str, sender: str, item: Sample, age: int) -> C
     return make
 
 
-def _old(board: Board, channel: str, item: Sample, age: int) -> Callable[[], None]:
+def _old(chart: Chart, number: int, channel: str, item: Sample, age: int) -> Callable[[], None]:
     def make() -> None:
+        board = _board(chart, number)
         board.part()
         waiting = board._signals[channel]
         waiting[waiting.index(item)] = replace(item, time=standing(item.time, NOW - age))
