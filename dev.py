@@ -269,7 +269,7 @@ LONG = [
             "tests/faults/test_random_networks.py",
             "tests/stdlib/test_networks.py",
         ],
-        {"NETWORK_RUNS": "2000"},
+        {"NETWORK_SEEDS": "2000"},
     ),
     (
         "conversations among processes",

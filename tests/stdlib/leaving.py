@@ -171,7 +171,7 @@ WAYS: dict[str, Way] = {
     "returns": returns,
     "changes role": changes_role,
 }
-ALL = "NETWORK_RUNS" in os.environ
+ALL = "NETWORK_SEEDS" in os.environ
 """Whether `python3 dev.py long` asks for every moment of every agent."""
 MOMENTS = (0.02, 0.06, 0.12, 0.25, 0.35, 0.5, 1.1, 1.6, 2.2, 2.6, 3.2, 4.2, 5.3, 7.4, 8.0)
 """In each phase of each protocol."""

@@ -3,7 +3,7 @@
     for run in runs(TEXT, "delay=0..300ms,loss=10%,reorder", until=60 * SECOND):
         assert run.ended("ann", "initiator") == ["Learn"], run
 
-`NETWORK_RUNS` is how many seeds are run where a test does not say: 24, and 2 000 by `python3 dev.py long`.
+`NETWORK_SEEDS` is how many seeds are run where a test does not say: 24, and 2 000 by `python3 dev.py long`.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ from tests.support.generated import Generated, generate
 
 BAD = "delay=0..300ms,loss=10%,reorder"
 """The network of issue J."""
-SEEDS = range(1, int(os.environ.get("NETWORK_RUNS", "24")) + 1)
+SEEDS = range(1, int(os.environ.get("NETWORK_SEEDS", "24")) + 1)
 
 Activities = Mapping[str, type[Any]]
 """The code of activities by name; the others only last."""
