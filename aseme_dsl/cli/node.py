@@ -77,6 +77,8 @@ if TYPE_CHECKING:
     from aseme_dsl.runtime.version.loading import Loaded
     from aseme_dsl.source import Source
 
+OUTLIVED = "outlived"
+"""Why a run ends that a supervisor should start again."""
 GRACE = 2.0
 """After so many seconds without its supervisor a robot ends, even if it is busy."""
 
@@ -344,7 +346,7 @@ def _run(
     watched = () if watch is None else watch.end()
     _print(options, played, watched, telling)
     code = exit_code(played.result, (), INTERRUPTED)
-    if code == 0 and any(item.verdict == "broken" for item in watched):
+    if code == 0 and (played.result.reason == OUTLIVED or any(item.verdict == "broken" for item in watched)):
         code = 1
     if played.result.left:
         leave_at_once(code)
@@ -449,6 +451,9 @@ def _print(options: _Options, played: Played, watched: Sequence[Watched], tellin
             _inform(telling, f"{agent.name} ({agent.role}) failed: {agent.failure}{place}", True)
     if result.reason == "replaced":
         _inform(telling, f"{options.robot} stopped: a newer process runs it", True)
+    if result.reason == OUTLIVED:
+        text = f"{options.robot} stopped: the others have followed a newer process of it, which has ended"
+        _inform(telling, f"{text}: start it again", True)
     if result.trace_error is not None:
         _inform(telling, result.trace_error, True)
     elif not options.supervised:

@@ -24,6 +24,10 @@ MOST_HOPED = 4
 """So many incarnations of an agent are asked whether they are there."""
 TWIN_SECONDS = 2.0
 """How long a newer incarnation of an agent may take to answer, and after how long it is asked again."""
+MOST_TWINS = 16
+"""So many newer incarnations of our own agents are remembered."""
+OUTLIVED = 2
+"""Whom others follow so many leases after its end, they take for ours."""
 PINGS = 4
 """So many PINGs in each lease."""
 
@@ -73,6 +77,20 @@ def replaced(state: Delivery, agent: str) -> None:
     state.team.driver.stop("replaced")
 
 
+def outlive(state: Delivery, life: int) -> None:
+    """Stop if others still follow a newer incarnation of ours that has ended: they hear this one no more.
+
+    Only its own certificate can have made its token, so nobody else stops us. Called with the lock.
+    """
+    since = state.past_twins.get(life)
+    if since is None or state.lease is None or time.monotonic_ns() - since < OUTLIVED * state.lease:
+        return
+    state.past_twins.clear()
+    now = state.now()
+    state.team.trace.write("peer", now, agent=state.mine, peer=state.mine, what="outlived")
+    state.team.driver.stop("outlived")
+
+
 def ask_twin(state: Delivery, agent: str, life: int) -> None:
     """Stop if a newer incarnation of one of our agents answers, as long as something reports it."""
     while not state.closing and life in state.twins:
@@ -111,8 +129,11 @@ def end_before(state: Delivery, agent: str, life: int) -> None:
 def vanished(state: Delivery, agent: str, incarnation: int, reason: Reason = "crashed") -> None:
     """An agent elsewhere is not there any more, for a reason."""
     state.gate.wait()
-    if agent in state.here:
+    if agent in state.here and incarnation in state.twins:
         state.twins.discard(incarnation)
+        state.past_twins[incarnation] = time.monotonic_ns()
+        while len(state.past_twins) > MOST_TWINS:
+            del state.past_twins[next(iter(state.past_twins))]
     with state.lock:
         other = state.others.get(agent)
         if other is None or state.closing:
@@ -208,6 +229,7 @@ def is_current(state: Delivery, other: Other, envelope: Envelope) -> bool:
         count(state, other, "late", "it is of an earlier incarnation of its sender")
         return False
     if not is_fresh(state, envelope):
+        outlive(state, envelope.addressee)
         if envelope.kind == envelopes.PING:  # a search for another incarnation of ours does not concern us
             other.counts["late"] = other.counts.get("late", 0) + 1
         else:

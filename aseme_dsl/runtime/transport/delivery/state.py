@@ -64,6 +64,8 @@ class Delivery:
         """Set when there is something to look at before it is time."""
         self.twins: set[int] = set()
         """Newer incarnations of our own agents of which something says that they are there."""
+        self.past_twins: dict[int, int] = {}
+        """Those that are there no more, and since when, in ns."""
 
     @property
     def mine(self) -> str:
