@@ -117,7 +117,7 @@ class PlatformLink:
             headers = acl_headers.letter(envelope, stamp, payload, sender, self._system)
             self._platform.send(sender, known.address, headers, payload.decode(), kept=False)
 
-    def renew(self, name: str) -> None:
+    def renew(self, name: str, again: bool = False) -> None:
         """The platform does that."""
 
     def say(self, to: str, sender: str, message: FipaMessage) -> bool:

@@ -115,8 +115,11 @@ class Link(Protocol):
         """
         ...
 
-    def renew(self, name: str) -> None:
-        """Make the connection to an agent again: it brings nothing, although the agent is there."""
+    def renew(self, name: str, again: bool = False) -> None:
+        """Make the connection to an agent again: it brings nothing, although the agent is there.
+
+        `again`: this did not help before.
+        """
         ...
 
     def say(self, to: str, sender: str, message: FipaMessage) -> bool:

@@ -18,6 +18,7 @@ import re
 import secrets
 import socket
 import threading
+import time
 import weakref
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import contextmanager, nullcontext
@@ -130,6 +131,10 @@ class ZenohLink:
         self._lock = threading.Lock()
         self._present: set[tuple[str, int]] = set()
         """The incarnations whose tokens are there."""
+        self._opened: tuple[Sequence[str], int, Hears] | None = None
+        """What `open` was given."""
+        self._anew = 0.0
+        """Until this moment no further session is begun for agents that bring nothing."""
         self._closed = threading.Event()
         self._opening = threading.Lock()
         """Held while a session is opened or closed after the first one."""
@@ -150,11 +155,12 @@ class ZenohLink:
 
     def open(self, agents: Sequence[str], incarnation: int, hears: Hears) -> None:
         """Connect and say that these agents are here."""
+        self._opened = agents, incarnation, hears
         self._join(agents, incarnation, hears)
         if self._network.places is not None and not self._network.local:
             threading.Thread(
                 target=self._follow,
-                args=(self._network.places, agents, incarnation, hears),
+                args=(self._network.places, agents, hears),
                 name="aseme hosts",
                 daemon=True,
             ).start()
@@ -172,28 +178,40 @@ class ZenohLink:
             with contextlib.suppress(RuntimeError):  # the interpreter is ending already
                 register(close)
 
-    def _follow(
-        self, places: Callable[[], Mapping[str, str]], agents: Sequence[str], incarnation: int, hears: Hears
-    ) -> None:
+    def _follow(self, places: Callable[[], Mapping[str, str]], agents: Sequence[str], hears: Hears) -> None:
         """Connect to where absent agents are now. Zenoh connects to new endpoints only with a new session."""
         while not self._closed.wait(FOLLOW):
             try:
                 found = places()
                 there = {name for name, _ in tuple(self._present)}
                 moved = [n for n, end in found.items() if n not in there and end not in self._network.connect]
-                if not moved and self._session is not None:
+                if not moved:
                     continue
                 network = replace(self._network, connect=(*found.values(), *self._further))
                 self._config, self._network = self._configured(network), network
-                with self._opening:
-                    if self._closed.is_set():
-                        return
-                    self._leave()
-                    hears.disconnected(agents[0], f"other hosts: {', '.join(moved)}")
-                    self._join(agents, incarnation, hears)
-                    hears.connected(agents[0], "to the new hosts")
+                self._begin_anew(f"other hosts: {', '.join(moved)}")
             except (ValueError, TransportError) as problem:
                 hears.fault(agents[0], str(problem))
+
+    def _begin_anew(self, reason: str) -> None:
+        """Begin with a new session."""
+        assert self._opened is not None
+        (mine, *_), _, hears = self._opened
+        with self._opening:
+            if self._closed.is_set():
+                return
+            self._leave()
+            hears.disconnected(mine, reason)
+            while True:
+                try:
+                    self._join(*self._opened)
+                except TransportError as problem:
+                    hears.fault(mine, str(problem))
+                    if self._closed.wait(FOLLOW):
+                        return
+                else:
+                    hears.connected(mine, "with a new session")
+                    return
 
     def _join(self, agents: Sequence[str], incarnation: int, hears: Hears) -> None:
         zenoh = self._zenoh
@@ -315,12 +333,23 @@ class ZenohLink:
             )
             return found
 
-    def renew(self, name: str) -> None:
+    def renew(self, name: str, again: bool = False) -> None:
         """Shut down the TCP connections to the agent with this certificate; zenoh makes them again.
 
         Where a connection breaks while the one before it is still being closed, zenoh may keep one over which
         it sends nothing (eclipse-zenoh/zenoh, issue 1886). It has no call by which to end that.
+
+        Sometimes it does not make a connection at all. Then one of the two sides begins with a new session:
+        the one without a host, or the one whose name is the later in the alphabet.
         """
+        if again and (self._network.seeks or self._network.robot > name):
+            if time.monotonic() >= self._anew:  # else one is for several agents
+                self._anew = time.monotonic() + self.lease / 1e9
+                reason = f"{name} brings nothing"
+                threading.Thread(
+                    target=self._begin_anew, args=(reason,), name="aseme session", daemon=True
+                ).start()
+            return
         session = self._session
         if session is None or not _DESCRIPTORS.is_dir():
             return

@@ -144,7 +144,7 @@ class _AirLink:
                 return list(end.hears.asked(to, what, question))
         return []
 
-    def renew(self, name: str) -> None:
+    def renew(self, name: str, again: bool = False) -> None:
         pass
 
     def close(self) -> None:

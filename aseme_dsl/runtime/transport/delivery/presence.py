@@ -80,7 +80,7 @@ def replaced(state: Delivery, agent: str) -> None:
 def outlive(state: Delivery, life: int) -> None:
     """Stop if others still follow a newer incarnation of ours that has ended: they hear this one no more.
 
-    Only its own certificate can have made its token, so nobody else stops us. Called with the lock.
+    Only its own certificate can have made its token, so no other agent can stop us. Called with the lock.
     """
     since = state.past_twins.get(life)
     if since is None or state.lease is None or time.monotonic_ns() - since < OUTLIVED * state.lease:

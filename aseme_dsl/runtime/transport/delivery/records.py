@@ -86,6 +86,8 @@ class Other:
     """Whether heartbeats of this incarnation have come."""
     linked_at: int = 0
     """When something came over the link from it, or the link to it was renewed, in ns."""
+    renewed_at: int = 0
+    """When the link to it was renewed, in ns; 0: never."""
     doubted_at: int = 0
     """When the link said that it is not there any more, in ns; 0: it is not doubted."""
     parted: bool = False

@@ -51,19 +51,23 @@ def keep_up(state: Delivery) -> None:
             stalled = [] if state.heartbeats is None else _stalled(state)
         if state.heartbeats is None:
             watch(state)
-        for name in stalled:
-            state.link.renew(name)
+        for name, again in stalled:
+            state.link.renew(name, again)
 
 
-def _stalled(state: Delivery) -> list[str]:
-    """The agents whose heartbeats come, but nothing over the link although they are asked. With the lock."""
+def _stalled(state: Delivery) -> list[tuple[str, bool]]:
+    """The agents whose heartbeats come, but nothing over the link although they are asked.
+
+    Each with whether nothing has come since the link was renewed. Called with the lock.
+    """
     assert state.lease is not None
     now = time.monotonic_ns()
     before = now - STALLED * state.lease
     found = [one for one in state.others.values() if one.alive and one.beats and one.linked_at < before]
+    stalled = [(other.name, other.linked_at == other.renewed_at) for other in found]
     for other in found:
-        other.linked_at = now
-    return [other.name for other in found]
+        other.linked_at = other.renewed_at = now
+    return stalled
 
 
 def look_after(state: Delivery) -> bool:
