@@ -173,6 +173,14 @@ WAYS = {
         [],
         "p",
     ),
+    "an assumption that is never so of a value": (
+        _works("field.state.Ball.number == 3").replace(
+            'property "p" {',
+            'property "p" { assume robot has [field.state.Ball.number == 2 && field.state.Ball.number > 5]',
+        ),
+        [],
+        "p",
+    ),
     "an assumption that is never so": (
         _works("field.state.Ball.number == 3").replace(
             'property "p" {', 'property "p" { assume robot has [1 > 2]'

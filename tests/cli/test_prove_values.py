@@ -162,3 +162,28 @@ def test_what_other_properties_ask_for_is_not_decided(here: Here, folder: Path) 
     (folder / "a.aseme").write_text(text)
     done = here("prove", "a.aseme", "one", "other", "--json")
     assert [item["verdict"] for item in done.json["results"]] == ["REFUTED", "REFUTED"], done.out
+
+
+@pytest.mark.parametrize(
+    ("assumed", "reason"),
+    [
+        (["number == 2 && number > 5"], "is never true"),
+        (["!(number != 2 || number <= 5)"], "is never true"),
+        (["number > 5", "5 > number"], "and another assumption exclude each other"),
+        (["seen", "number > 3 && !seen"], "and another assumption exclude each other"),
+        (["colour == Colour.RED && colour == Colour.BLUE"], "is never true"),
+        (["number > 2 && number < 4", "number != 4"], ""),
+        (["colour != Colour.RED && colour != Colour.BLUE", "seen"], ""),
+    ],
+)
+def test_nothing_is_proved_under_assumptions_that_exclude_each_other(
+    here: Here, folder: Path, assumed: list[str], reason: str
+) -> None:
+    lines = "".join(f"assume boss has [{condition}] " for condition in assumed)
+    (folder / "a.aseme").write_text(
+        f'{TEAM}property "p" {{ {lines} never boss has [number == 50 && number == 51] }}\n'
+    )
+    (item,) = here("prove", "a.aseme", "p", "--json").json["results"]
+    assert item["verdict"] == ("UNDECIDED" if reason else "PROVED")
+    assert item["reason"].endswith(reason)
+    assert item["reason"].startswith("vacuous" if reason else "")

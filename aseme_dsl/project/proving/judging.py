@@ -287,7 +287,7 @@ class Judge:
     def _incomplete(self) -> str:
         """What was left out; empty if nothing was."""
         if self._assumed.contradiction:
-            return f"vacuous: `{self._assumed.contradiction}` and another assumption exclude each other"
+            return f"vacuous: {self._assumed.contradiction}"
         if self._graph.cut is not None:
             return f"the search was cut after {self._graph.cut}"
         if self._explored.values.computed:

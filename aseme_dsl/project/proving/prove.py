@@ -29,6 +29,7 @@ from aseme_dsl.play.scenario import (
 from aseme_dsl.project.building.build import choose
 from aseme_dsl.project.building.project import Compiled, compile_root, options_of
 from aseme_dsl.project.playing.operate import generate_version, loaded_for
+from aseme_dsl.project.proving.contradicting import contradiction_in
 from aseme_dsl.project.proving.judging import Judge, Reached, Times, asks_for_times, dead_states
 from aseme_dsl.project.proving.pairs import by_pairs, equal_in
 from aseme_dsl.project.proving.results import Bounds, Result, Verdict
@@ -364,15 +365,13 @@ def assumed_by(assumptions: Sequence[Assumption]) -> Assumed:
     }
     has: dict[str, dict[str, dict[tuple[str, ...], object]]] = {}
     held: dict[str, tuple[str, ...]] = {}
-    contradiction = ""
     for item in assumptions:
         if isinstance(item, ValueAssumed):
             for channel, path, value in equal_in(item.value):
-                known = has.setdefault(item.agent, {}).setdefault(channel, {})
-                if known.setdefault(path, value) != value:
-                    contradiction = " ".join(item.span.text.split())
+                has.setdefault(item.agent, {}).setdefault(channel, {}).setdefault(path, value)
                 text = " ".join(item.span.text.split())
                 held[item.agent] = tuple(dict.fromkeys((*held.get(item.agent, ()), text)))
+    contradiction = contradiction_in(item for item in assumptions if isinstance(item, ValueAssumed))
     return Assumed(
         loses, crashes, fails, times, delays[-1] if delays else None, takes, has, held, contradiction
     )

@@ -70,7 +70,7 @@ class Assumed:
     held: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     """The same as it is written, by agent."""
     contradiction: str = ""
-    """Which assumption cannot be so beside another one, if there is one: then there is no run at all."""
+    """Why the assumptions cannot all be true, if they cannot: then there is no run at all."""
 
 
 @dataclass(frozen=True, slots=True)
