@@ -37,6 +37,7 @@ from aseme_dsl.project.proving.scopes import Scope, scopes_of
 from aseme_dsl.project.proving.watched import (
     Watched,
     asked_by,
+    hears,
     is_timed,
     layout_of,
     messages_in,
@@ -270,6 +271,9 @@ def _searched(
     )
     if about is not None and explored.needed is None and times is None:
         return None
+    explored.hears = hears(script)
+    if about is not None or times is not None:
+        explored.judged.clear()  # such a search says nothing of messages that nothing takes
     if watch is not None:
         watch.begin(explored)
     wanted: tuple[int, ...] = ()

@@ -103,6 +103,11 @@ def _numbers_in(script: Script) -> Iterable[int]:
     return dict.fromkeys(all_parts(script.conditions, numbers))
 
 
+def hears(script: Script | None) -> bool:
+    """Whether conditions ask for messages that are sent, or that nothing takes."""
+    return any(isinstance(item, Says | Untaken | Breached | Faulty) for item in conditions_in(script))
+
+
 def names_in(script: Script | None) -> frozenset[str]:
     """The variables and timers that conditions ask for."""
     found: set[str] = set()
@@ -394,6 +399,7 @@ __all__ = [
     "asked_by",
     "asks_for_more",
     "conditions_in",
+    "hears",
     "is_timed",
     "layout_of",
     "left_out_of_times",

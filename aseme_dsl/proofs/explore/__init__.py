@@ -5,6 +5,7 @@
 - `coming`: what comes to agents from outside, and from their own activities
 - `ages`: what time alone brings
 - `memory`, `team_layout`, `relevant`: the state of a team, to come back to and to compare
+- `reducing`: what makes no difference any more
 - `explored`: a team with its next moves
 - `apart`, `needed`: which agents and regions need not be looked at together
 - `search`: all its states, the nearest first

@@ -22,6 +22,7 @@ from aseme_dsl.proofs.explore.deciding.values import Condition, Values
 from aseme_dsl.proofs.explore.memory import Memory, Picture
 from aseme_dsl.proofs.explore.needed import Asked, needed_for
 from aseme_dsl.proofs.explore.on_the_way import Came, come, letter_of, sample_of
+from aseme_dsl.proofs.explore.reducing.spent import Spent
 from aseme_dsl.proofs.explore.relevant import Relevant
 from aseme_dsl.proofs.explore.surroundings import NOW, Still, Underway, Ways
 from aseme_dsl.proofs.explore.team_layout import layout_of
@@ -216,6 +217,14 @@ class Explored:
             reads = self.needed.reads
             self.ways.taken = lambda receiver, what: what in reads[self._roles[receiver]]
         self._relevant = {plan.name: Relevant(plan, kept) for plan in plans}
+        self._spent = spent = Spent(plans)
+        self.ways.mail = spent.sent
+        self._named = {agent.name: agent for agent in self.agents}
+        self.judged = {"orphan", "race"} if self._talks else set[str]()
+        """What is still asked of messages that nothing takes: whether one is an orphan, and whether two
+        agents have sent past each other."""
+        self.hears = False
+        """Whether something else asks for each message that is sent, or not taken."""
         protocols = {info.protocol for plan in plans for info in plan.branches}
         self.memory = Memory(
             [
@@ -311,6 +320,8 @@ class Explored:
 
     def _forget(self) -> None:
         """Forget what makes no difference any more."""
+        if self._talks:
+            self._forget_talks()
         for agent in self.agents:
             if agent.name not in self._touched:
                 continue
@@ -323,6 +334,24 @@ class Explored:
                 del nodes[label]
             if agent.chart.started and not agent.over and not agent.down:
                 self._relevant[agent.role].forget(agent.chart, OPEN)
+
+    def _forget_talks(self) -> None:
+        desks = self.conversations._members.desks
+        for desk in desks.values():
+            self._spent.forget(desk)
+        if not self.hears:
+            self._spent.drop(self.ways, self._named, desks)
+        if not self.judges:
+            self.late.clear()
+            self.spurned.clear()
+            self.ways.uncross()
+        elif "orphan" not in self.judged:
+            self.late.clear()
+
+    @property
+    def judges(self) -> bool:
+        """Whether it makes a difference now if an agent message is not taken. After a crash, it does not."""
+        return self.hears or (bool(self.judged) and not self.crashed)
 
     def longest(self) -> int:
         """How many messages, at the most, are on their way from one agent to another; of a topic, each counts
@@ -412,6 +441,26 @@ class Explored:
             mark = marked(name, since)
             if mark is not None:
                 yield mark
+
+    def first(self, moves: Sequence[Move]) -> Move | None:
+        """A move before which no other one needs to be made; None if there is no such one.
+
+        That is an agent message that comes to an agent that has ended. Nothing takes it, and at most an
+        answer is sent. All other moves do the same before it and after it: the agent makes no move, others
+        read nothing of it, and its answer is the last message on its way, behind which nothing is sent any
+        more. What comes in between differs only in what is on the way to and from that agent; nothing asks
+        for that while nothing is judged. It cannot go on for ever: an answer is never answered.
+        """
+        if self.judges:
+            return None
+        return next(
+            (
+                move
+                for move in moves
+                if move.kind[0] == "arrive" and not move.kind[3] and self._named[move.agent].over
+            ),
+            None,
+        )
 
     def make(self, move: Move) -> None:
         """Make a move, by the choices that are next. Raises Circling."""

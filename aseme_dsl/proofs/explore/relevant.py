@@ -1,17 +1,31 @@
 """Relevant: what of a statechart can still make a difference where it stands; the rest is forgotten.
 
 A variable that nothing reads before it is written anew is the same in all states. So are a timer that
-nothing asks for, and the time since a state was entered that has been left.
+nothing asks for, and the time since a state was entered that has been left. What only those transitions ask
+for that can never be taken again makes no difference, either.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+from enum import Enum, auto
 
+from aseme_dsl.proofs.explore.reducing.never import Never
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.plan import Plan, is_in, terms_in
 
 _UNKNOWN = object()
+_COUNTING = (("invited",), ("answered",), ("all_answered",))
+
+
+class _Reads(Enum):
+    """Whether something asks for a variable."""
+
+    YES = auto()
+    IN_VAIN = auto()
+    NO = auto()
 
 
 class Relevant:
@@ -23,39 +37,76 @@ class Relevant:
         self._kept = kept
         self._ahead: dict[tuple[str, str | None], frozenset[str]] = {}
         self._most: dict[str, int | None] = {}
-        self._gone: dict[tuple[str, ...], tuple[tuple[str, object], ...]] = {}
-        """What makes no difference, by the active leaves."""
-        self._asks: dict[str, tuple[frozenset[str], frozenset[str]]] = {}
+        self._never = Never(plan, self._from)
+        self._gone: dict[tuple[object, ...], _Gone] = {}
+        """What makes no difference, by the active leaves and the values of variables that lines write."""
+        self._asks: dict[int | str, _Names] = {}
+        self._fresh: Chart | None = None
 
     def forget(self, chart: Chart, unknown: object) -> None:
         """Give what is not relevant values that are the same everywhere; `unknown` for variables."""
         leaves = chart.configuration()
-        known = self._gone.get(leaves)
+        key = leaves, *self._never.values(chart)
+        known = self._gone.get(key)
         if known is None:
-            known = self._gone[leaves] = tuple(self._find(chart, leaves))
-        for slot, value in known:
+            known = self._gone[key] = self._find(chart, leaves)
+        for slot, value in known.slots:
             setattr(chart, slot, unknown if value is _UNKNOWN else value)
         for label, slot in chart.COUNTS.items():
             most = self._counted(label)
             if most is not None and getattr(chart, slot) > most:
                 setattr(chart, slot, most)
-        if any(board is not None and board.timers for board in chart.boards()):
-            self._forget_timers(chart, leaves)
+        if known.is_round_over and chart.rounds:
+            chart.rounds.load(())
+        for board in chart.boards():
+            if board is not None:
+                for name in [name for name in board.timers if name not in known.timers]:
+                    del board.timers[name]
 
-    def _find(self, chart: Chart, leaves: tuple[str, ...]) -> Iterator[tuple[str, object]]:
+    def _find(self, chart: Chart, leaves: tuple[str, ...]) -> _Gone:
+        """What makes no difference at these leaves."""
+        asked = _joined(self._asked_from(chart, leaves, None))
+        return _Gone(tuple(self._slots(chart, leaves)), asked.timers | self._kept, not asked.counts_answers)
+
+    def _slots(self, chart: Chart, leaves: tuple[str, ...]) -> Iterator[tuple[str, object]]:
         """The attributes that make no difference at these leaves, with what they hold from now on."""
+        dropped: set[str] = set()
         for name, slots in chart.VARIABLES.items():
-            if not self._reads(name, leaves):
-                yield from ((slot, _UNKNOWN) for slot in slots)
+            reads = self._reads(chart, name, leaves, frozenset((*dropped, name)))
+            if reads is not _Reads.YES:
+                dropped.add(name)
+                # What is looked at in vain holds something that can be looked at.
+                yield from (
+                    (slot, _UNKNOWN if reads is _Reads.NO else self._initial(chart, slot)) for slot in slots
+                )
         for label, slot in chart.TIMES.items():
-            if not any(is_in(leaf, label) for leaf in leaves):
+            if not any(is_in(leaf, label) for leaf in leaves) or self._is_timeless(chart, label, leaves):
                 yield slot, 0
         for number, (mark, past) in chart.MARKS.items():
-            if not any(is_in(leaf, self._plan.transitions[number].source) for leaf in leaves):
+            source = self._plan.transitions[number].source
+            if not any(is_in(leaf, source) for leaf in leaves) or self._is_never(
+                chart, number, leaves, source
+            ):
                 if mark:
                     yield mark, None
                 if past:
                     yield past, -1
+
+    def _is_timeless(self, chart: Chart, label: str, leaves: tuple[str, ...]) -> bool:
+        """Whether no time since an active state was entered makes a difference until it is entered again."""
+        timed = [
+            number
+            for number, item in enumerate(self._plan.transitions)
+            if item.source == label and any(event[0] == "after" for event in item.events)
+        ]
+        return (
+            bool(timed)
+            and label not in chart.WITHIN
+            and all(self._is_never(chart, number, leaves, label) for number in timed)
+        )
+
+    def _is_never(self, chart: Chart, number: int, leaves: tuple[str, ...], scope: str | None) -> bool:
+        return all(self._never.is_never(chart, number, leaf, scope) for leaf in leaves)
 
     def _counted(self, label: str) -> int | None:
         """The count of a state from which on more makes no difference; None if there is no such one."""
@@ -66,27 +117,41 @@ class Relevant:
             )
         return self._most[label]
 
-    def _reads(self, variable: str, leaves: tuple[str, ...]) -> bool:
+    def _reads(self, chart: Chart, variable: str, leaves: tuple[str, ...], without: frozenset[str]) -> _Reads:
+        """Whether something asks for a variable; in vain if only transitions do that are not taken, whatever
+        the variables `without` hold."""
         name = variable.partition("@")[0]
         if name in self._kept:
-            return True
+            return _Reads.YES
         scope = next((item.scope for item in self._plan.variables if item.name == variable), None)
-        return any(
-            variable in self._asked(label)[0] or name in self._asked(label)[0]
-            for leaf in leaves
-            for label in self._from(leaf, scope)
-        )
+        found = _Reads.NO
+        for leaf in leaves:
+            ahead = self._from(leaf, scope)
+            for place in (*ahead, *range(len(self._plan.transitions))):
+                if isinstance(place, int) and self._plan.transitions[place].source not in ahead:
+                    continue
+                if {variable, name}.isdisjoint(self._asked(place).variables):
+                    continue
+                if isinstance(place, str) or not self._never.is_never(chart, place, leaf, scope, without):
+                    return _Reads.YES
+                found = _Reads.IN_VAIN
+        return found
 
-    def _forget_timers(self, chart: Chart, leaves: tuple[str, ...]) -> None:
-        names = {name for board in chart.boards() if board is not None for name in board.timers}
-        for name in names:
-            if name in self._kept or any(
-                name in self._asked(label)[1] for leaf in leaves for label in self._from(leaf, None)
-            ):
-                continue
-            for board in chart.boards():
-                if board is not None:
-                    board.timers.pop(name, None)
+    def _initial(self, chart: Chart, slot: str) -> object:
+        """What an attribute holds in a new chart."""
+        if self._fresh is None:
+            self._fresh = type(chart)(chart.PLAN.name)
+        return getattr(self._fresh, slot)
+
+    def _asked_from(self, chart: Chart, leaves: tuple[str, ...], scope: str | None) -> Iterator[_Names]:
+        """What is asked for from these leaves on, up to the next entry of `scope`."""
+        for leaf in leaves:
+            ahead = self._from(leaf, scope)
+            for label in ahead:
+                yield self._asked(label)
+            for number, item in enumerate(self._plan.transitions):
+                if item.source in ahead and not self._is_never(chart, number, leaves, scope):
+                    yield self._asked(number)
 
     def _from(self, leaf: str, scope: str | None) -> frozenset[str]:
         """The states that may be active from a leaf on, up to the next entry of `scope`."""
@@ -95,16 +160,56 @@ class Relevant:
             self._ahead[key] = frozenset(_reached(self._plan, leaf, key[1]))
         return self._ahead[key]
 
-    def _asked(self, label: str) -> tuple[frozenset[str], frozenset[str]]:
-        """The variables and timers that the transitions of a state, and its activity, ask for."""
-        found = self._asks.get(label)
+    def _asked(self, place: int | str) -> _Names:
+        """What a transition, or the activity of a state, asks for."""
+        found = self._asks.get(place)
         if found is None:
-            terms: list[object] = [term for _, term in self._plan.by_label[label].arguments]
-            for item in self._plan.transitions:
-                if item.source == label:
-                    terms += [item.condition, *(_parts(action) for action in item.actions)]
-            found = self._asks[label] = _names(terms)
+            if isinstance(place, str):
+                found = _names([term for _, term in self._plan.by_label[place].arguments])
+            else:
+                item = self._plan.transitions[place]
+                found = _joined([_names([item.condition]), *_asked_by(item.actions)])
+            self._asks[place] = found
         return found
+
+
+@dataclass(frozen=True, slots=True)
+class _Names:
+    """The variables and timers that something asks for, and whether it asks who has answered."""
+
+    variables: frozenset[str] = frozenset()
+    timers: frozenset[str] = frozenset()
+    counts_answers: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class _Gone:
+    """What makes no difference: attributes, with what they hold from now on; timers but these; rounds."""
+
+    slots: tuple[tuple[str, object], ...]
+    timers: frozenset[str]
+    is_round_over: bool
+
+
+def _joined(some: Iterable[_Names]) -> _Names:
+    variables: set[str] = set()
+    timers: set[str] = set()
+    counts = False
+    for item in some:
+        variables |= item.variables
+        timers |= item.timers
+        counts |= item.counts_answers
+    return _Names(frozenset(variables), frozenset(timers), counts)
+
+
+def _asked_by(actions: Sequence[tuple[object, ...]]) -> Iterator[_Names]:
+    """What actions read that they have not written before."""
+    written: set[str] = set()
+    for action in actions:
+        found = _names([_parts(action)])
+        yield replace(found, variables=found.variables - written)
+        if action[0] == "assign":
+            written.add(str(action[1]))
 
 
 def _bound(terms: list[object], names: set[str]) -> int | None:
@@ -135,15 +240,17 @@ def _parts(action: tuple[object, ...]) -> tuple[object, ...]:
     return ("", *action[2:]) if action[0] == "assign" else action
 
 
-def _names(terms: list[object]) -> tuple[frozenset[str], frozenset[str]]:
+def _names(terms: list[object]) -> _Names:
     variables: set[str] = set()
     timers: set[str] = set()
+    counts = False
     for term in terms_in(terms):
         if term[:1] == ("variable",):
             variables.add(str(term[1]))
         elif term[:1] == ("expired",):
             timers.add(str(term[1]))
-    return frozenset(variables), frozenset(timers)
+        counts |= term[:1] in _COUNTING
+    return _Names(frozenset(variables), frozenset(timers), counts)
 
 
 def _reached(plan: Plan, leaf: str, scope: str | None) -> Iterator[str]:

@@ -292,8 +292,11 @@ class _Search:
         letters = {item: place for place, item in enumerate(explored.letters())}
         moves = list(explored.moves())
         graph.enabled[state] = frozenset(move.kind for move in moves if move.is_fair)
+        first = explored.first(moves)
         edges: list[Edge] = []
         for number, move in enumerate(moves):
+            if first is not None and move is not first:
+                continue
             explored.choices.begin()
             while True:
                 explored.take_back(picture)
@@ -338,10 +341,10 @@ class _Search:
         have chosen.
         """
         explored, eyes = self._explored, self._eyes
+        if not explored.judges or explored.crashed:
+            return
         for sender, receiver, text, message in eyes.untaken:
             expects = (never_untaken(message, receiver),)
-            if explored.crashed:
-                continue
             if explored.arriving is None or not explored.arriving.crosses:
                 if not explored.late.intersection((sender, receiver)):
                     eyes.seen.append(("orphan", text, expects))
@@ -386,6 +389,7 @@ class _Search:
         for kind, text, expects in self._eyes.seen:
             if (kind, text) not in known:
                 graph.sightings.append(Sighting(kind, text, move, expects))
+                self._explored.judged.discard(kind)
 
 
 def _places(agent: Agent) -> tuple[int, ...]:

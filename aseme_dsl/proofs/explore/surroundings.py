@@ -9,11 +9,13 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import field, replace
+from functools import partial
 
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.activity.context import Cancelled
 from aseme_dsl.runtime.activity.execution import Execution
 from aseme_dsl.runtime.chart.inputs import Identity
+from aseme_dsl.runtime.message.acl import AclMessage
 from aseme_dsl.runtime.ports import Stepping
 from aseme_dsl.runtime.time.alarm import Alarm
 from aseme_dsl.runtime.time.timers import Timer, Timers
@@ -110,6 +112,15 @@ class Ways:
     taken: Callable[[str, str], bool] = lambda receiver, what: True
     """Whether it matters to a receiver what comes on a channel."""
     now: Callable[[], int] = lambda: NOW
+    mail: Callable[[AclMessage], AclMessage] = lambda acl: acl
+    """What of an agent message makes a difference."""
+
+    def uncross(self) -> None:
+        """It makes no difference which messages cross."""
+        for waiting in self.ways.values():
+            for place, item in enumerate(waiting):
+                if item.crosses:
+                    waiting[place] = replace(item, crosses=False)
 
     def carry(
         self, sender: str, receiver: str, kind: str, what: str, identity: Identity, give: Callable[[], None]
@@ -121,6 +132,8 @@ class Ways:
         crossed = [item for item in against if item.kind == kind == "mail"]
         for item in crossed:
             against[against.index(item)] = replace(item, crosses=True)
+        if isinstance(give, partial) and isinstance(give.args[-1], AclMessage):
+            give = partial(give.func, *give.args[:-1], self.mail(give.args[-1]))
         item = Underway(kind, what, identity, give, self.now(), bool(crossed))
         self.ways.setdefault((sender, receiver), []).append(item)
 

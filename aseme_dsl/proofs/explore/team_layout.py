@@ -84,6 +84,7 @@ def layout_of(
         _Node: frozenset(("starts", "last_start", "last_end")),
         Still: frozenset(("running",)),
         Bus: frozenset(("_given",)),
+        Members: frozenset(("opened",)),
         Conversation: frozenset(("left",)),
         Desk: frozenset(("heard",)),
         Choosing: frozenset(("_count", "_addressed")),
