@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from itertools import count
 from pathlib import Path
 
 import pytest
@@ -38,6 +39,15 @@ def test_no_question_is_left_without_time(here: Here, folder: Path, asked: tuple
     for name in ("deep", "in time", "deeper", "at first"):
         part = parts[name]
         assert part is not None and float(part[1]) >= 0.05, found
+
+
+def test_a_search_that_takes_too_long_leaves_the_others_their_least_part(
+    here: Here, folder: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("aseme_dsl.project.proving.prove.process_time", count(0, 7).__next__)
+    (folder / "it.aseme").write_text(COUNTING)
+    found = here("prove", "it.aseme", "deep", "deeper", "--budget", "1s", "--json").json["results"]
+    assert [item["reason"] for item in found] == ["the search was cut after 0.25 s"] * 2
 
 
 def test_what_one_question_leaves_goes_to_the_others(here: Here, folder: Path) -> None:

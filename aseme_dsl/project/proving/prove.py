@@ -135,8 +135,6 @@ def _explored(
         groups = groups_of(scope.team, plans)
         own_script = None if script is None else of_scope(script, scope)
         searched = partial(_searched, system=own.system, loaded=loaded, assumed=assumed, asked=asked)
-        purse = _Purse(limits)
-        share, search_in = purse.share, partial(purse.spend, searched)
 
         def with_times(item: Result, team: Scope, later: int) -> Result:
             """The answer about failures, with times if it depends on them; so many questions come later."""
@@ -154,6 +152,8 @@ def _explored(
         timed = [item for item in wanted if is_timed(item.rule)]
         untimed = [item for item in wanted if not is_timed(item.rule)]
         others = _BUILT_IN if not asked else len({*asked} - {*map(named, expected)})
+        purse = _Purse(limits, len(wanted) + others)
+        share, search_in = purse.share, partial(purse.spend, searched)
         if own_script is not None:
             for number, item in enumerate(untimed):
                 one = replace(own_script, expectations=(item,))
@@ -204,13 +204,15 @@ def _explored(
 class _Purse:
     """The time of all searches of a scope. What becomes of their results takes none of it."""
 
-    def __init__(self, limits: Limits) -> None:
+    def __init__(self, limits: Limits, questions: int) -> None:
         self._limits = limits
         self._left = limits.seconds
+        self._least = limits.seconds / (2 * max(1, questions))
+        """The part of a search at least, as a search may take longer than its part: half of an equal one."""
 
     def share(self, parts: float) -> Limits:
         """What is left, divided by so many: who needs less leaves more to those that come later."""
-        return replace(self._limits, seconds=max(0.0, self._left) / parts)
+        return replace(self._limits, seconds=max(self._least, self._left / parts))
 
     def spend(self, search: Callable[P, T], *arguments: P.args, **named: P.kwargs) -> T:
         """What a search finds."""

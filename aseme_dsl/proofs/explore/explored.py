@@ -454,13 +454,16 @@ class Explored:
         if self.judges:
             return None
         return next(
-            (
-                move
-                for move in moves
-                if move.kind[0] == "arrive" and not move.kind[3] and self._named[move.agent].over
-            ),
-            None,
+            (move for move in moves if move.kind[0] == "arrive" and self._is_late_letter(move.kind)), None
         )
+
+    def _is_late_letter(self, kind: tuple[str, ...]) -> bool:
+        """Whether what arrives is an agent message for an agent that has ended."""
+        _, sender, receiver, channel = kind
+        if channel or not self._named[receiver].over:
+            return False
+        ordered = (item for item in self.ways.ways[sender, receiver] if item.kind not in ("data", "radio"))
+        return next(ordered).kind == "mail"
 
     def make(self, move: Move) -> None:
         """Make a move, by the choices that are next. Raises Circling."""
