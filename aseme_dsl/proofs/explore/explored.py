@@ -446,10 +446,10 @@ class Explored:
         """A move before which no other one needs to be made; None if there is no such one.
 
         That is an agent message that comes to an agent that has ended. Nothing takes it, and at most an
-        answer is sent. All other moves do the same before it and after it: the agent makes no move, others
-        read nothing of it, and its answer is the last message on its way, behind which nothing is sent any
-        more. What comes in between differs only in what is on the way to and from that agent; nothing asks
-        for that while nothing is judged. It cannot go on for ever: an answer is never answered.
+        answer is sent. All other moves do the same before it and after it: the agent makes no move, and
+        others read nothing of it. Its answer is the last message on its way. What comes in between differs
+        only in what is on the way to and from that agent. Nothing asks for that while nothing is judged. It
+        has an end, as an answer is never answered.
         """
         if self.judges:
             return None

@@ -118,8 +118,8 @@ class Relevant:
         return self._most[label]
 
     def _reads(self, chart: Chart, variable: str, leaves: tuple[str, ...], without: frozenset[str]) -> _Reads:
-        """Whether something asks for a variable; in vain if only transitions do that are not taken, whatever
-        the variables `without` hold."""
+        """Whether something asks for a variable; in vain if only transitions do that are not taken, for all
+        values of the variables `without`."""
         name = variable.partition("@")[0]
         if name in self._kept:
             return _Reads.YES

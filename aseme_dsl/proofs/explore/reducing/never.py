@@ -6,8 +6,9 @@ from there on.
 
 That is sound because each answer is too wide rather than too narrow. Only variables count that lines alone
 write, no activity and no module. One may hold what it holds now, and what any line writes that may still be
-reached, whatever the conditions are on the way; anything, if a line writes more than a constant. Everything
-else in a condition may be true or false. A transition is never taken if its condition is true for none.
+reached, also if conditions on the way exclude it. It may hold anything if a line writes more than a constant.
+Everything else in a condition may be true or false. A transition is never taken if its condition is true for
+none.
 """
 
 from __future__ import annotations
@@ -53,8 +54,8 @@ class Never:
         scope: str | None,
         without: frozenset[str] = frozenset(),
     ) -> bool:
-        """Whether a transition is not taken from a leaf on, up to the next entry of `scope`, whatever the
-        variables `without` hold."""
+        """Whether a transition is not taken from a leaf on, up to the next entry of `scope`, for all
+        values of the variables `without`."""
         condition = self._plan.transitions[number].condition
         if condition is None:
             return False

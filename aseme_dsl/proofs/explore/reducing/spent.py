@@ -1,4 +1,4 @@
-"""Spent: what conversations remember that makes no difference any more, and is forgotten.
+"""What conversations remember that makes no difference any more, and is forgotten.
 
 What is forgotten, and why nothing reads it later:
 
@@ -7,8 +7,8 @@ What is forgotten, and why nothing reads it later:
   two moves none waits;
 - the names that answers use for messages: only rounds of answers compare them, so they stay if a protocol
   counts answers;
-- which performative an agent was sent last: a part that ends asks only whether it was one that asks for an
-  answer, and of agents that have answered not even that;
+- which performative an agent was sent last: a part that ends asks only whether an answer was asked for, and
+  not even that of agents that have answered;
 - what was said last, of each type: a part that ends early repeats it only with a performative of farewell.
 
 An agent that has ended takes nothing: the news of a loss does nothing there, and `not_understood` is never
@@ -34,7 +34,7 @@ _HEARD = AgentMessage("", "", "", None, "", "", ("", 0))
 
 
 class Spent:
-    """Forgets what is spent in the conversations of a team."""
+    """Forgets what makes no difference any more in the conversations of a team."""
 
     def __init__(self, plans: Sequence[Plan]) -> None:
         self._counts = any(info.counts for plan in plans for info in plan.branches)
@@ -45,7 +45,7 @@ class Spent:
         return acl if self._counts else replace(acl, reply_with="", in_reply_to="")
 
     def forget(self, desk: Desk) -> None:
-        """Forget what is spent at the desk of an agent, between two moves."""
+        """Forget what makes no difference any more at the desk of an agent, between two moves."""
         desk.returned.clear()
         for place in desk.branches.values():
             self._forget(place)
