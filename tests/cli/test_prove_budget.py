@@ -57,3 +57,27 @@ def test_what_one_question_leaves_goes_to_the_others(here: Here, folder: Path) -
     assert {item["name"]: item["verdict"] for item in found} == dict.fromkeys(
         ("3", "59", "at first"), "PROVED"
     ), found
+
+
+def test_it_ends_in_the_midst_of_a_moment_with_many_outcomes(here: Here, folder: Path) -> None:
+    names = [f"p{number}" for number in range(18)]
+    regions = "\n".join(f"    {name} = [Do_{name}]" for name in names)
+    control = "\n".join(
+        f"  control {name} {{ enter Do_{name} : [even({number})]  skip Do_{name} : else }}"
+        for number, name in enumerate(names)
+    )
+    (folder / "it.aseme").write_text(f"""\
+system Many
+function even(int n) : bool = "tests.oracle.functions:even"
+srm robot {{
+  liveness {{
+    robot = Wait . ({" || ".join(names)})
+{regions}
+  }}
+{control}
+}}
+team T {{ it : robot }}
+property "it" {{ never it in Wait and it in Do_p1 }}
+""")
+    (found,) = here("prove", "it.aseme", "it", "--budget", "1s", "--json").json["results"]
+    assert "the search was cut after" in found["reason"], found

@@ -273,13 +273,13 @@ class _Search:
         return None
 
     def _look_at(self, state: int) -> None:
-        """Make the moves of a state, until one leads to a state that comes before it."""
+        """Make the moves of a state, until one leads to a state that comes before it, or time is over."""
         self._is_elsewhere = state in self._begun
         begun = self._begun.pop(state, None) or self._expand(state)
         for _ in begun:
             if self._is_enough(self._graph):
                 break
-            if self._agenda.has_better(state):
+            if self._agenda.has_better(state) or process_time() > self._until:
                 self._begun[state] = begun
                 self._agenda.put_back(state)
                 break
