@@ -1,15 +1,15 @@
 """Engines that others wrote do, step by step, what our runtime does with the same chart.
 
-Random charts with random inputs are recorded and repeated; `EXPORTED_CHARTS=300 pytest
-tests/interop/exports/test_engines.py` repeats more of them.
+Random charts with random inputs are recorded and repeated. The second lane, `EXPORTED_CHARTS=300 pytest
+tests/interop/exports/test_engines.py`, has further engines: sismic and Qt's.
 """
 
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
-from functools import cache
+from functools import cache, partial
 from pathlib import Path
 
 import pytest
@@ -35,7 +35,9 @@ from tests.oracle.choices import Choices
 from tests.oracle.examples import ROUNDS, forget
 from tests.support.generated import generate, imported, system_of
 
-CHARTS = int(os.environ.get("EXPORTED_CHARTS", "30"))
+CHARTS = int(os.environ.get("EXPORTED_CHARTS", "300"))
+PARTS = 4
+"""The random charts are played in so many parts, beside each other."""
 SECOND_LANE = "EXPORTED_CHARTS" in os.environ
 SEEDS = 10 if SECOND_LANE else 1  # games with each role of a file
 FIRST = int(os.environ.get("ORACLE_FIRST", "0"))
@@ -50,12 +52,11 @@ def bound() -> Iterator[None]:
         yield
 
 
-@cache
-def random_charts() -> tuple[tuple[str, Recording], ...]:
+def random_charts(part: int) -> tuple[tuple[str, Recording], ...]:
     """Games with random charts, each of 25 steps at most."""
     found: list[tuple[str, Recording]] = []
-    seed = FIRST
-    while len(found) < CHARTS:
+    wanted = -(-CHARTS // PARTS)
+    for seed in range(FIRST + part, FIRST + part + PARTS * (2 * wanted + 20), PARTS):
         choices = Choices(seed)
         made = imported(tamed(system_of(text(choices))))
         recorder = Recorder(made)
@@ -63,9 +64,9 @@ def random_charts() -> tuple[tuple[str, Recording], ...]:
         forget(made)
         if recording is not None:
             found.append((f"seed {seed}", recording))
-        seed += 1
-        assert seed - FIRST < 2 * CHARTS + 20, "too many random charts are refused"
-    return tuple(found)
+        if len(found) == wanted:
+            return tuple(found)
+    raise AssertionError("too many random charts are refused")
 
 
 FILES = (*sorted(ROOT.glob("tests/acceptance/*.aseme")), *sorted(ROOT.glob("examples/*/*.aseme")))
@@ -107,44 +108,46 @@ def charts_of_files() -> tuple[tuple[str, Recording], ...]:
     return tuple(found)
 
 
-def compare(played: list[list[tuple[str, ...]]], recorded: tuple[tuple[str, Recording], ...]) -> None:
-    wrong = [
-        f"{name}: {difference}"
-        for (name, recording), one in zip(recorded, played, strict=True)
-        for difference in differences(recording, one)[:1]
-    ]
-    assert wrong == []
-    assert sum(len(recording.steps) for _, recording in recorded) > 5 * len(recorded)
+Played = list[list[tuple[str, ...]]]
+"""What was active after the start and each step, of each game."""
 
 
-Recorded = Callable[[], tuple[tuple[str, Recording], ...]]
-RECORDED = pytest.mark.parametrize("recorded", (random_charts, charts_of_files), ids=("random", "files"))
-
-
-@RECORDED
-def test_python_statemachine_does_the_same(recorded: Recorded) -> None:
+def on_python_statemachine(recordings: Sequence[Recording]) -> Played:
     pytest.importorskip("statemachine", reason="NOT TRIED, for there is no python-statemachine here")
-    compare([python_statemachine(recording) for _, recording in recorded()], recorded())
+    return [python_statemachine(recording) for recording in recordings]
 
 
-@RECORDED
-@pytest.mark.parametrize("engine", ("scion", "xstate"))
-def test_engines_in_javascript_do_the_same(engine: str, recorded: Recorded) -> None:
-    compare(on_node([job(engine, recording) for _, recording in recorded()]), recorded())
+def on_javascript(engine: str, recordings: Sequence[Recording]) -> Played:
+    return on_node([job(engine, recording) for recording in recordings])
 
 
-@RECORDED
-def test_sismic_does_the_same(recorded: Recorded) -> None:
+def on_sismic(recordings: Sequence[Recording]) -> Played:
     pytest.importorskip("sismic", reason="NOT TRIED, for there is no sismic here")
-    able = tuple(pair for pair in recorded() if not any(limits(pair[1].chart)))
-    compare([sismic_engine(recording) for _, recording in able], able)
-    assert 2 * len(able) > len(recorded())
+    return [sismic_engine(recording) for recording in recordings]
 
 
-@RECORDED
-@pytest.mark.skipif(not SECOND_LANE, reason="NOT TRIED here, but in the second lane")
-def test_qt_does_the_same(recorded: Recorded) -> None:
-    compare(on_qt([recording for _, recording in recorded()]), recorded())
+ENGINES: tuple[tuple[str, Callable[[Sequence[Recording]], Played]], ...] = (
+    ("SCION", partial(on_javascript, "scion")),
+    ("XState", partial(on_javascript, "xstate")),
+    ("python-statemachine", on_python_statemachine),
+)
+OTHERS = (("Qt", on_qt), ("sismic", on_sismic)) if SECOND_LANE else ()
+PARTS_OF_CHARTS = [pytest.param(partial(random_charts, part), id=f"random-{part}") for part in range(PARTS)]
+
+
+@pytest.mark.parametrize("record", [*PARTS_OF_CHARTS, pytest.param(charts_of_files, id="files")])
+def test_engines_do_the_same(record: Callable[[], tuple[tuple[str, Recording], ...]]) -> None:
+    recorded = record()
+    assert sum(len(recording.steps) for _, recording in recorded) > 5 * len(recorded)
+    for engine, play in (*ENGINES, *OTHERS):
+        able = [pair for pair in recorded if engine != "sismic" or not any(limits(pair[1].chart))]
+        assert 2 * len(able) > len(recorded), engine
+        wrong = [
+            f"{engine}, {name}: {difference}"
+            for (name, recording), one in zip(able, play([one for _, one in able]), strict=True)
+            for difference in differences(recording, one)[:1]
+        ]
+        assert wrong == []
 
 
 COMPLETE = """\
