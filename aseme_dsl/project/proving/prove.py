@@ -32,7 +32,7 @@ from aseme_dsl.project.playing.operate import generate_version, loaded_for
 from aseme_dsl.project.proving.contradicting import contradiction_in
 from aseme_dsl.project.proving.judging import Judge, Reached, Times, asks_for_times, dead_states
 from aseme_dsl.project.proving.pairs import by_pairs, equal_in
-from aseme_dsl.project.proving.results import Bounds, Result, Verdict
+from aseme_dsl.project.proving.results import BUILT_IN, Bounds, Result, Verdict
 from aseme_dsl.project.proving.scopes import Scope, scopes_of
 from aseme_dsl.project.proving.watched import (
     Watched,
@@ -57,8 +57,6 @@ from aseme_dsl.runtime.version.loading import Loaded
 
 P = ParamSpec("P")
 T = TypeVar("T")
-_BUILT_IN = 5
-"""So many questions are asked of every team, about: their share of the time is that of as many properties."""
 
 
 class NotThere(Exception):
@@ -90,22 +88,22 @@ def prove(
     for scope in scopes_of(compiled.root, compiled.system, robots):
         if only and scope.what not in only:
             continue
-        told(f"exploring the {scope.what}")
-        found += _explored(scope, compiled, limits, asked, known, horizon)
+        found += _explored(scope, compiled, limits, asked, known, told, horizon)
         if scope.protocol is None:
             found += _left_out(scope, compiled, found)
             if asked and all(known.get(name, "").startswith("property") for name in asked):
                 break  # these are about the team
-    names = dict.fromkeys((*known, *(item.name for item in found)))
+    names = {*known, *(item.name for item in found)}
     missing = next((name for name in asked if name not in names), None)
     if missing is not None and not only:
-        raise NotThere(f"nothing is called {missing}; there are {', '.join(names)}")
+        there = dict.fromkeys((*known, *(item.name for item in found))) if found else (*known, *BUILT_IN)
+        raise NotThere(f"nothing is called {missing}; there are {', '.join(there)}")
     return tuple(item for item in found if not asked or item.name in asked)
 
 
 def prove_alone(scope: Scope, compiled: Compiled, limits: Limits) -> tuple[Result, ...]:
     """All answers about one team, or about a protocol alone. Raises OperateError, LoadError: see `prove`."""
-    return tuple(_explored(scope, compiled, limits, (), {}, None))
+    return tuple(_explored(scope, compiled, limits, (), {}))
 
 
 def _explored(
@@ -114,10 +112,11 @@ def _explored(
     limits: Limits,
     asked: Sequence[str],
     known: dict[str, str],
-    horizon: int | None,
+    told: Callable[[str], None] = lambda text: None,
+    horizon: int | None = None,
 ) -> Iterator[Result]:
     """The answers about one team; the names of its properties and clauses are added to `known`,
-    with what they are."""
+    with what they are. A team of which nothing is asked is not explored."""
     own = compiled if scope.protocol is None else compile_root(scope.root)
     if own.system is None:
         wrong = next(item for item in own.diagnostics if item.severity is Severity.ERROR)
@@ -127,13 +126,20 @@ def _explored(
     inspection = inspect_files(scope.root, None, options_of(own.configuration))
     watched = watched_of(inspection, dict(scope.team))
     script = watched.scripts[0] if watched.refused is None else None
+    own_script = None if script is None else of_scope(script, scope)
+    expected = () if own_script is None else own_script.expectations
+    known |= {named(item): item.of for item in expected}
+    wanted = [item for item in expected if not asked or named(item) in asked]
+    others = len(BUILT_IN) if not asked else len({*asked} & {*BUILT_IN})
+    if not wanted and not others:
+        return
+    told(f"exploring the {scope.what}")
     assumed = assumed_by(script.assumptions if script is not None else ())
     with TemporaryDirectory(prefix="asemec-prove-") as folder:
         package, _ = generate_version(own.system, Path(folder), choose(own.configuration))
         loaded = loaded_for(package, compiled.configuration.folder.resolve())
         plans = {role: loaded.charts[role].PLAN for _, role in scope.team}
         groups = groups_of(scope.team, plans)
-        own_script = None if script is None else of_scope(script, scope)
         searched = partial(_searched, system=own.system, loaded=loaded, assumed=assumed, asked=asked)
 
         def with_times(item: Result, team: Scope, later: int) -> Result:
@@ -146,12 +152,8 @@ def _explored(
 
         found: dict[str, Result] = {}
         rest: list[Expectation] = []
-        expected = () if own_script is None else own_script.expectations
-        known |= {named(item): item.of for item in expected}
-        wanted = [item for item in expected if not asked or named(item) in asked]
         timed = [item for item in wanted if is_timed(item.rule)]
         untimed = [item for item in wanted if not is_timed(item.rule)]
-        others = _BUILT_IN if not asked else len({*asked} - {*map(named, expected)})
         purse = _Purse(limits, len(wanted) + others)
         share, search_in = purse.share, partial(purse.spend, searched)
         if own_script is not None:

@@ -8,6 +8,9 @@ from aseme_dsl.play.sight.story import Happened
 from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
+BUILT_IN = ("deadlock", "orphan messages", "non-local choice", "agreement", "dead states", "failures")
+"""The questions that are asked of every team, without being in a file."""
+
 
 class Verdict(StrEnum):
     PROVED = "PROVED"
@@ -86,4 +89,4 @@ class Result:
         }
 
 
-__all__ = ["Bounds", "Result", "Verdict"]
+__all__ = ["BUILT_IN", "Bounds", "Result", "Verdict"]
