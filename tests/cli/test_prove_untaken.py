@@ -6,6 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from aseme_dsl.project.building.project import compile_root
+from aseme_dsl.source import Source
 from tests.cli.support import Done, Here
 from tests.cli.test_prove import BUY, verdicts
 
@@ -114,3 +116,12 @@ def test_a_property_about_messages_that_nothing_takes_asks_for_those_that_wait_f
 def test_two_that_send_past_each_other_and_go_on_are_a_non_local_choice(prove) -> None:  # type: ignore[no-untyped-def]
     found = verdicts(prove(PAST, "--json"))
     assert (found["deadlock"], found["non-local choice"]) == ("PROVED", "REFUTED")
+
+
+def test_what_an_agent_does_not_do_is_read_whatever_its_name_is() -> None:
+    """`desk` is nearly the verb `does`; a counterexample says where it waits with `not desk in …`."""
+    text = (
+        "system Shop\nsrm clerk { liveness { clerk = Wait~ } activities { Wait takes 1s simulated } }\n"
+        'scenario "s" { desk : clerk at 2s not desk in Wait for 3s }\n'
+    )
+    assert [str(item.message) for item in compile_root(Source("shop.aseme", text)).diagnostics] == []

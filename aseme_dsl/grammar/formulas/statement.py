@@ -707,7 +707,7 @@ def _partition(reader: Reader) -> nodes.Hit:
 def _event(reader: Reader) -> nodes.Event:
     """A stimulus, or an expectation."""
     begin = reader.index
-    is_agent = is_word(reader.next) and "." not in reader.next
+    is_agent = is_word(reader.next) and "." not in reader.next and reader.next != "not"
     verb = _ahead(reader, 2 if reader.next in _ANY else 1)
     if is_agent and verb in (*_VERBS, "fails"):
         agent = _agent(reader)
