@@ -187,3 +187,25 @@ def test_nothing_is_proved_under_assumptions_that_exclude_each_other(
     assert item["verdict"] == ("UNDECIDED" if reason else "PROVED")
     assert item["reason"].endswith(reason)
     assert item["reason"].startswith("vacuous" if reason else "")
+
+
+def test_what_an_activity_writes_and_what_comes_may_be_taken_in_one_step(here: Here, folder: Path) -> None:
+    (folder / "a.aseme").write_text("""\
+system Both
+srm robot {
+  var tired : bool = false
+  liveness {
+    robot = Look || part
+    part  = (Both | Alone)
+  }
+  activities { Look writes tired }
+  control part {
+    enter Both  : go [tired]
+    enter Alone : when [tired]
+  }
+}
+team T { it : robot }
+property "not both" { never it in Both }
+""")
+    (item,) = here("prove", "a.aseme", "not both", "--json").json["results"]
+    assert item["verdict"] != "PROVED"

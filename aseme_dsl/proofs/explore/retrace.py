@@ -324,6 +324,8 @@ class _Retrace:
                     self._put_before(Gives(agent, name.partition("(")[0], value))
                 case ("split", _):
                     pass  # what it stands for is heard, too
+                case ("steps", _):
+                    pass  # what it does not take at once, it takes with what comes
                 case ("age", *_):
                     pass  # its moment makes it old
                 case ("random", str() as agent, _):

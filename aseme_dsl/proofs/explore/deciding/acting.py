@@ -127,7 +127,8 @@ class Acting:
         written = self.written(agent, execution, is_end=is_end)
         for name in written:  # at last: only the agent's step shows it
             self._set(agent, execution, name)
-        if written and not is_end:
+        # The agent steps at once, or only when more has come: what it takes in one step.
+        if written and not is_end and self._choices.of(("steps", agent.name), (True, False)):
             agent.begin()
 
     def _set(self, agent: Agent, execution: Execution, name: str) -> None:
