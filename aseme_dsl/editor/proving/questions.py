@@ -9,9 +9,11 @@ from collections.abc import Iterator
 from aseme_dsl.editor.files.program import Program
 from aseme_dsl.editor.files.view import View
 from aseme_dsl.grammar.text import tree
-from aseme_dsl.project.proving.results import BUILT_IN
 from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
+
+BUILT_IN = (*("deadlock", "orphan messages", "non-local choice", "agreement", "dead states", "failures"),)
+"""The questions of `asemec prove` that a file does not contain."""
 
 TEAM = "team"
 """What `asemec prove` calls the team."""
@@ -78,4 +80,4 @@ def bare(text: str) -> str:
     return _PIECE.sub(lambda found: found[0] if found[0].startswith('"') else " ", text).strip()
 
 
-__all__ = ["OF_A_RUN", "TEAM", "Question", "bare", "digest", "questions"]
+__all__ = ["BUILT_IN", "OF_A_RUN", "TEAM", "Question", "bare", "digest", "questions"]
