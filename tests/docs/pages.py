@@ -77,6 +77,9 @@ NOT_RUN = (
     r"asemec view .*",
     r"asemec .* --watch",
     r"asemec completion fish > .*",
+    r"sudo loginctl enable-linger \$USER",
+    r"python3 -m venv ~/asemec-env",
+    r"\. ~/asemec-env/bin/activate",
 )
 """What an `sh` example may say."""
 
