@@ -99,6 +99,11 @@ def test_changed_files_end_in_text_or_a_message(name: str) -> None:
     assert 0 < taken < CHANGED
 
 
+def test_an_and_without_regions_is_read() -> None:
+    text, pieces, read = KINDS["deal.eac"]
+    assert read("deal.eac", changed(text, pieces, random.Random("deal.eac 1677"))) in (True, False)
+
+
 @pytest.mark.parametrize("name", FILES)
 def test_changed_models_are_imported_or_refused(name: str, tmp_path: Path) -> None:
     for number in range(WHOLE):

@@ -242,13 +242,15 @@ class _Reconstruction:
 
     def _is_counted(self, state: ForeignState, body: Body, operands: Sequence[Formula]) -> bool:
         """Whether equal regions are `A[3]`: the name says so, and all of them say the same."""
+        if not operands:
+            return False
         first = operands[0]
         term = Formula(Operator.INSTANCES, (first,), state.place, count=len(operands))
         parallel = self.chart.inside(state.label)[1]
         if first.operator is not Operator.NAME or parallel.name != original_name(canonical(term)):
             return False
         said = {way: tuple(self._said(edge)) for edge, way in body.ways.items()}
-        alike = all(text == said[verb, min(operand, 0)] for (verb, operand), text in said.items())
+        alike = all(text == said.get((verb, min(operand, 0))) for (verb, operand), text in said.items())
         return alike and all(item.name == first.name for item in operands)
 
     def _operand(
