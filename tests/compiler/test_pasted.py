@@ -75,7 +75,7 @@ def test_an_expression_of_kse_is_translated(line: str, here: str) -> None:
     ("line", "why"),
     [
         ("leave Rest : [TimeoutCheck(t) && late == 3]", "nothing declares `late`"),
-        ("leave Rest : [door.State.Visitor.mode() == AUTO]", "the value of `AUTO` is unknown"),
+        ("leave Rest : [door.State.Visitor.mode() == AUTO]", "`Mode` has no constant `AUTO`"),
         ("leave Rest : [door.State.Visitor.steps()+1 > 2]", "it computes (`+`)"),
         ("leave Rest : [door.State.Visitor.size()]", "has no field `size`"),
         ("leave Rest : [TimeoutCheck(t)", "the condition has no `]`"),
