@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
-from tests.cli.support import BAD, GOOD, Here
+from tests.cli.support import BAD, GOOD, Done, Here
 
 
 @pytest.fixture
@@ -22,3 +23,14 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     (tmp_path / "bad.aseme").write_text(BAD)
     monkeypatch.chdir(tmp_path)
     return tmp_path
+
+
+@pytest.fixture
+def prove(here: Here, folder: Path) -> Callable[..., Done]:
+    """`asemec prove` of a text, with these further arguments."""
+
+    def call(text: str, *arguments: object) -> Done:
+        (folder / "it.aseme").write_text(text)
+        return here("prove", "it.aseme", *arguments)
+
+    return call

@@ -2,11 +2,7 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
-import pytest
-
-from tests.cli.support import Done, Here
+from tests.cli.support import Done
 
 BUY = """\
 system Shop
@@ -140,15 +136,6 @@ team Pair {
 }
 property "one centre" { at most one Center }
 """
-
-
-@pytest.fixture
-def prove(here: Here, folder: Path) -> object:
-    def call(text: str, *arguments: object) -> Done:
-        (folder / "it.aseme").write_text(text)
-        return here("prove", "it.aseme", *arguments)
-
-    return call
 
 
 def verdicts(done: Done) -> dict[str, str]:

@@ -2,11 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
-import pytest
-
-from tests.cli.support import Done, Here
 from tests.cli.test_prove import verdicts
 
 ROBOT = """\
@@ -30,15 +25,6 @@ property "it never kicks" { never some robot in Kick }
 property "one kicks" { never two of robot in Kick }
 property "it rests after it has seen" { every received eye.state.Ball leads to some robot in (Kick or Rest) }
 """
-
-
-@pytest.fixture
-def prove(here: Here, folder: Path) -> object:
-    def call(text: str, *arguments: object) -> Done:
-        (folder / "it.aseme").write_text(text)
-        return here("prove", "it.aseme", *arguments)
-
-    return call
 
 
 def test_regions_that_do_not_matter_stand_still(prove) -> None:  # type: ignore[no-untyped-def]

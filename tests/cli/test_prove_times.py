@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from pathlib import Path
+from collections.abc import Callable
 
 import pytest
 
-from tests.cli.support import Done, Here
+from tests.cli.support import Done
 from tests.cli.test_prove import verdicts
 
 WAIT = """\
@@ -69,12 +69,9 @@ property "it rests" { assume Work takes 0ms..1s  no a in Reset within 999ms afte
 
 
 @pytest.fixture
-def prove(here: Here, folder: Path) -> object:
-    def call(text: str, *arguments: object) -> Done:
-        (folder / "it.aseme").write_text(text)
-        return here("prove", "it.aseme", *arguments, "--json")
-
-    return call
+def prove(prove: Callable[..., Done]) -> Callable[..., Done]:
+    """The same, as JSON."""
+    return lambda text, *arguments: prove(text, *arguments, "--json")
 
 
 def verdict(prove, text: str, body: str) -> str:  # type: ignore[no-untyped-def]

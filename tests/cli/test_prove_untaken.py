@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import pytest
 
 from aseme_dsl.project.building.project import compile_root
 from aseme_dsl.source import Source
-from tests.cli.support import Done, Here
 from tests.cli.test_prove import BUY, verdicts
 
 TURNED = BUY.replace("Look . Close", "Close . Look")
@@ -81,15 +78,6 @@ aip meet {
 }
 """
 """Two that may both choose to go, and then go on for ever."""
-
-
-@pytest.fixture
-def prove(here: Here, folder: Path) -> object:
-    def call(text: str, *arguments: object) -> Done:
-        (folder / "it.aseme").write_text(text)
-        return here("prove", "it.aseme", *arguments)
-
-    return call
 
 
 @pytest.mark.parametrize("text", [TURNED, EXCHANGED])

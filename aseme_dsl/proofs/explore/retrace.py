@@ -13,7 +13,7 @@ from dataclasses import field
 from functools import partial
 from typing import cast
 
-from aseme_dsl.proofs.explore.ages import passing, thresholds_of
+from aseme_dsl.proofs.explore.ages import next_age, passing, thresholds_of
 from aseme_dsl.proofs.explore.deciding.unread import Path
 from aseme_dsl.proofs.explore.explored import Circling, Explored, Move
 from aseme_dsl.proofs.explore.memory import Picture
@@ -454,10 +454,7 @@ class _Retrace:
                     yield ("time", agent.name, "timer", name), origin, int(due) - NOW
             for channel, ages in thresholds.items():
                 for item in board._states.get(channel, {}).values():
-                    age = NOW - item.time
-                    older = next((limit for limit in ages if age < limit), None)
-                    if older is None and ages and age == ages[-1]:
-                        older = ages[-1] + 1
+                    older = next_age(NOW - item.time, ages)
                     if older is not None:
                         key = ("message", agent.name, channel, *map(str, item.identity))
                         yield ("time", agent.name, "message", channel), self._origins[key], older
