@@ -259,10 +259,6 @@ class _Reader:
             for _, term in state.arguments:
                 self.read(term, "")
 
-    def read(self, term: object, taken: str) -> None:
-        """Learn what a condition does with values; `taken` is the type of the message it names, or ""."""
-        self._term(term, taken)
-
     def _action(self, action: tuple[object, ...], taken: str, item: Transition) -> None:
         match action:
             case ("assign", str() as name, value):
@@ -275,10 +271,10 @@ class _Reader:
                         for path, value in filled:
                             self._gives((message, _path(path)), value, taken)
                 for value in more[1:3]:
-                    self._term(value, taken)
+                    self.read(value, taken)
             case _:
                 for part in action[1:]:
-                    self._term(part, taken)
+                    self.read(part, taken)
 
     def _gives(self, place: Place, value: object, taken: str) -> None:
         source = self._place(value, taken)
@@ -288,7 +284,7 @@ class _Reader:
         if isinstance(value, tuple) and value[:1] == ("const",):
             self.values.use(place).constants.add(value[1])
             return
-        self._term(value, taken)
+        self.read(value, taken)
 
     def _join(self, one: Place, other: Place) -> None:
         self.values.join(one, other)
@@ -307,8 +303,11 @@ class _Reader:
     def _variable_type(self, name: str) -> str | None:
         return next((item.type for item in self.plan.variables if item.name.partition("@")[0] == name), None)
 
-    def _term(self, term: object, taken: str, plainly: bool = True) -> None:
-        """Something reads a value: `plainly`, if no more than its truth or presence matters."""
+    def read(self, term: object, taken: str, plainly: bool = True) -> None:
+        """Something reads a value: `plainly`, if no more than its truth or presence matters.
+
+        `taken` is the type of the message that the condition names, or "".
+        """
         if not isinstance(term, tuple) or not term:
             return
         place = self._place(term, taken)
@@ -326,7 +325,7 @@ class _Reader:
             self._compare(parts[0], parts[1], taken, word)
             return
         for part in parts:
-            self._term(part, taken, word in _PLAIN)
+            self.read(part, taken, word in _PLAIN)
 
     def _computes(self, term: object, taken: str) -> None:
         """A function of the library, which does what it does in a run, is given a value."""
@@ -350,7 +349,7 @@ class _Reader:
             return
         for place, value, against in ((left, one, other), (right, other, one)):
             is_constant = isinstance(against, tuple) and against[:1] in (("const",), ("enum",))
-            self._term(value, taken, is_constant or self._place(against, taken) is not None)
+            self.read(value, taken, is_constant or self._place(against, taken) is not None)
             match against:
                 case ("const", constant) if place is not None:
                     self.values.use(place).constants.add(constant)
@@ -372,7 +371,7 @@ class _Reader:
                 case ("builtin", "abs", inner), ("const", int(constant) | float(constant)):
                     amount = self._place(inner, taken)
                     if amount is not None:
-                        self._term(inner, taken)
+                        self.read(inner, taken)
                         known_class = self.values.use(amount)
                         known_class.constants |= {constant, -constant}
                         known_class.signs |= {(sign, end) for sign in "<>" for end in (constant, -constant)}
@@ -383,8 +382,8 @@ class _Reader:
                             self.values.use(item).constants.add(held)
                             if isinstance(held, int | float):
                                 self.values.use(item).signs |= {(word, held), ("==", held)}
-                    self._term(value, taken)
-                    self._term(against, taken)
+                    self.read(value, taken)
+                    self.read(against, taken)
                     return True
         return False
 
