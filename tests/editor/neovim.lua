@@ -57,7 +57,7 @@ local function walk()
 
   find("ready && near") -- a condition pasted from KSE, and what is offered for it, as a person takes it
   vim.cmd("normal! ci[ready && near && !(vision.State.Ball==NULL)")
-  wait("the pasted condition", function() return #vim.diagnostic.get(0) > 0 end)
+  wait("the pasted condition", function() return table.concat(diagnostics()):find("of KSE", 1, true) ~= nil end)
   seen.pasted = diagnostics()
   find("State.Ball==")
   vim.ui.select = function(items, _, take)

@@ -167,8 +167,16 @@ def provers(project: Project) -> list[int]:
 
 def provers_of(pid: int) -> list[int]:
     tasks = Path(f"/proc/{pid}/task")
-    found = [int(one) for path in tasks.glob("*/children") for one in path.read_text().split()]
-    return [one for one in found if "proving.process" in Path(f"/proc/{one}/cmdline").read_text()]
+    found = [int(one) for path in tasks.glob("*/children") for one in read(path).split()]
+    return [one for one in found if "proving.process" in read(Path(f"/proc/{one}/cmdline"))]
+
+
+def read(path: Path) -> str:
+    """What a file of /proc holds; nothing if its process or thread has ended meanwhile."""
+    try:
+        return path.read_text()
+    except OSError:
+        return ""
 
 
 async def until(condition: Callable[[], object]) -> None:
@@ -360,7 +368,4 @@ def computed(pid: int) -> float:
 
 
 def _is_there(pid: int) -> bool:
-    try:
-        return ") Z" not in Path(f"/proc/{pid}/stat").read_text()
-    except OSError:
-        return False
+    return ") Z" not in (read(Path(f"/proc/{pid}/stat")) or ") Z")
