@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 from typing import assert_never
 
+from aseme_dsl.amola import expression as e
 from aseme_dsl.play.evaluate import Known, value_of
 from aseme_dsl.play.scenario import (
     Assumption,
@@ -18,6 +19,8 @@ from aseme_dsl.play.scenario import (
 from aseme_dsl.runtime.trace.records import Record
 
 _ENDS = frozenset(("end", "crash", "cancel"))
+_BETWEEN_STEPS = e.Age | e.At | e.Mean | e.Expired | e.Outcome | e.StateValue
+"""The parts of a value that may be otherwise though its agent has made no step."""
 
 
 class Assumptions:
@@ -31,7 +34,14 @@ class Assumptions:
         """When an activity of an assumption, by its number, has started in an agent."""
         self._written: dict[tuple[int, str], int] = {}
         """When it has written last since then."""
-        self._values = tuple(item for item in self._all if isinstance(item, ValueAssumed))
+        self.minds_activities = any(isinstance(item, PaceAssumed | DurationAssumed) for item in self._all)
+        """Whether the lines of activities have to be seen."""
+        self._values = tuple(
+            (item, any(isinstance(part, _BETWEEN_STEPS) for part in e.walk(item.value)))
+            for item in self._all
+            if isinstance(item, ValueAssumed)
+        )
+        """With whether the value may be otherwise between the steps of its agent."""
         for item in self._all:
             if isinstance(item, NetworkAssumed) and item.broken_at is not None:
                 self._break(item, item.broken_at)
@@ -77,10 +87,16 @@ class Assumptions:
             if moment > due:
                 self._break(item, due)
 
-    def look(self, known: Callable[[str], Known], moment: int) -> None:
-        """Something has happened: what each agent knows may be otherwise."""
-        for item in self._values:
-            if value_of(item.value, known(item.agent)) is False:
+    def look(
+        self, known: Callable[[str], Known], moment: int, stepped: Collection[str] | None = None
+    ) -> None:
+        """Something has happened: what each agent knows may be otherwise.
+
+        If that is known, `stepped` are the only agents that have made a step since the last look.
+        """
+        for item, is_passing in self._values:
+            is_same = not is_passing and stepped is not None and item.agent not in stepped
+            if not is_same and value_of(item.value, known(item.agent)) is False:
                 self._break(item, moment)
 
     def crash(self, agent: str, moment: int) -> None:

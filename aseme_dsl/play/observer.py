@@ -156,6 +156,9 @@ class Observer:
             self._alarms.mind(place, item.rule, self.states[place])
 
     def wants(self, kind: str, what: str | None) -> bool:
+        if kind == "activity":
+            tells = self._teller is not None and what in (None, "end", "crash")
+            return tells or self.assumed.minds_activities
         return kind in KINDS
 
     def __call__(self, record: Record) -> None:
@@ -470,7 +473,9 @@ class Observer:
     # ---- what is seen ------------------------------------------------------------------------
 
     def _look(self, happening: _Happening) -> None:
-        self.assumed.look(self._known, self._now)
+        self.assumed.look(
+            self._known, self._now, None if happening is _NOTHING else happening.entered.keys()
+        )
         view = self._view(happening, self._now, self._now)
         self._show(view)
         self.came.update(dict.fromkeys(view.occurs & self._ordered, self._now))
