@@ -98,6 +98,7 @@ LONG = [
     ("compact drawings", ["benchmarks/compact.py"], {}),
     ("broken files", ["benchmarks/broken_files.py"], {}),
     ("one slip, one message", ["benchmarks/mutations.py"], {}),
+    ("tests that take long", ["-m", "pytest", "-n", "auto", "-m", "long"], {"LONG_TESTS": "1"}),
     (
         "scenarios of the examples with many seeds",
         ["-m", "pytest", "-n", "auto", "tests/examples/test_scenarios.py"],
@@ -215,10 +216,14 @@ LONG = [
     ("latency", ["benchmarks/latency.py"], {}),
     ("agents", ["benchmarks/agents.py"], {}),
     ("a long match", ["benchmarks/soak.py", "0.5"], {}),
-    ("faults of activities", ["-m", "pytest", "tests/faults"], {"FAULT_STARTS": "20000"}),
+    ("faults of activities", ["-m", "pytest", "tests/faults"], {"FAULT_STARTS": "20000", "LONG_TESTS": "1"}),
     ("robots on machines", ["-m", "pytest", "tests/security/test_machines.py"], {"MACHINES": "1"}),
     ("robots that cannot be reached", ["-m", "pytest", "-s", "tests/network"], {"NETWORK_RUNS": "10"}),
-    ("a day in the field", ["-m", "pytest", "-s", "tests/faults/test_field_days.py"], {"FIELD_HOURS": "24"}),
+    (
+        "a day in the field",
+        ["-m", "pytest", "-s", "tests/faults/test_field_days.py"],
+        {"FIELD_HOURS": "24", "LONG_TESTS": "1"},
+    ),
     ("robots in processes", ["benchmarks/transport.py"], {}),
     ("whole matches", ["-m", "pytest", "tests/examples/test_robocup.py"], {"MATCH_SEEDS": "3 11"}),
     (

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 from hypothesis import HealthCheck, settings
 
+from tests.support.lanes import IS_LONG
 from tests.support.surroundings import settle
 
 # How fast an example runs depends on the machine, so it decides no test. In CI the examples are the
@@ -36,6 +37,11 @@ def pytest_addoption(parser: pytest.Parser) -> None:
         default=False,
         help="write what the tests produce into tests/…/snapshots instead of comparing with it",
     )
+
+
+def pytest_runtest_setup(item: pytest.Item) -> None:
+    if not IS_LONG and item.get_closest_marker("long") is not None:
+        pytest.skip("takes long: python3 dev.py long")
 
 
 @pytest.fixture

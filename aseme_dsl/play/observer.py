@@ -473,9 +473,7 @@ class Observer:
     # ---- what is seen ------------------------------------------------------------------------
 
     def _look(self, happening: _Happening) -> None:
-        self.assumed.look(
-            self._known, self._now, None if happening is _NOTHING else happening.entered.keys()
-        )
+        self.assumed.look(self._known, self._now, None if happening is _NOTHING else happening.entered.keys())
         view = self._view(happening, self._now, self._now)
         self._show(view)
         self.came.update(dict.fromkeys(view.occurs & self._ordered, self._now))

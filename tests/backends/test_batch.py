@@ -22,6 +22,7 @@ from aseme_dsl.runtime.plain.batch import BatchError
 from aseme_dsl.runtime.plain.plain import Unsettled
 from tests.support.batches import Together, made, without_compiling
 from tests.support.generated import system_of
+from tests.support.lanes import kept
 
 ROBOT = """
 system Team
@@ -98,7 +99,7 @@ def test_time_alone_makes_a_step(tmp_path: Path, engine: str) -> None:
         assert batch.step().tolist() == [True, False, True]
 
 
-@pytest.mark.parametrize("engine", ["numpy", "numba"])
+@pytest.mark.parametrize("engine", kept(["numpy", "numba"], lambda engine: engine == "numpy"))
 def test_a_variable_is_a_row_of_a_table(tmp_path: Path, engine: str) -> None:
     _, kind = made(system_of(ROBOT), tmp_path, "robot")
     with without_compiling():
@@ -178,7 +179,7 @@ def test_what_a_value_would_become_another_for_is_refused(tmp_path: Path) -> Non
     assert batch.bb.shots.tolist() == [1, 2, 3]
 
 
-@pytest.mark.parametrize("engine", ["numpy", "numba"])
+@pytest.mark.parametrize("engine", kept(["numpy", "numba"], lambda engine: engine == "numpy"))
 def test_nothing_is_done_or_known_before_the_start(tmp_path: Path, engine: str) -> None:
     _, kind = made(system_of(ROBOT), tmp_path, "robot")
     with without_compiling():
@@ -199,7 +200,7 @@ def test_nothing_is_done_or_known_before_the_start(tmp_path: Path, engine: str) 
         assert batch.active(batch.configuration(0)[-1]).all()
 
 
-@pytest.mark.parametrize("engine", ["numpy", "numba"])
+@pytest.mark.parametrize("engine", kept(["numpy", "numba"], lambda engine: engine == "numpy"))
 def test_there_is_one_time_for_all(tmp_path: Path, engine: str) -> None:
     _, kind = made(system_of(ROBOT), tmp_path, "robot")
     with without_compiling():
@@ -439,6 +440,7 @@ def test_without_numpy_it_is_said_what_to_install(tmp_path: Path, monkeypatch: p
         kind(2)
 
 
+@pytest.mark.long
 def test_a_project_that_is_checked_may_have_batches_in_it(tmp_path: Path) -> None:
     _, kind = made(system_of(ROBOT), tmp_path, "robot")
     folder = Path(str(sys.modules[kind.__module__].__file__)).parent
@@ -473,7 +475,7 @@ def test_a_project_that_is_checked_may_have_batches_in_it(tmp_path: Path) -> Non
 NAMES = ("bb", "now", "r0", "r1", "t_0_2", "stuck", "moved", "writes", "w_n", "size", "sel")
 
 
-@pytest.mark.parametrize("engine", ["numpy", "numba"])
+@pytest.mark.parametrize("engine", kept(["numpy", "numba"], lambda engine: engine == "numpy"))
 def test_a_variable_may_have_any_name(tmp_path: Path, engine: str) -> None:
     lines = "".join(f"  var {name} : int = {number}\n" for number, name in enumerate(NAMES))
     text = f"""
@@ -499,7 +501,7 @@ srm R {{
         together.send(draw.choice(("tick", "go")))
 
 
-@pytest.mark.parametrize("engine", ["numpy", "numba"])
+@pytest.mark.parametrize("engine", kept(["numpy", "numba"], lambda engine: engine == "numpy"))
 def test_what_a_plain_blackboard_calls_otherwise_is_called_as_in_the_document(
     tmp_path: Path, engine: str
 ) -> None:
@@ -522,7 +524,7 @@ srm R {
     assert (robots.bb.changed.tolist(), robots.bb.tracked.tolist()) == ([1, 1], [1, 1])
 
 
-@pytest.mark.parametrize("engine", ["numpy", "numba"])
+@pytest.mark.parametrize("engine", kept(["numpy", "numba"], lambda engine: engine == "numpy"))
 def test_an_event_may_be_for_some_of_the_instances(tmp_path: Path, engine: str) -> None:
     plain, kind = made(system_of(ROBOT), tmp_path, "robot")
     together = Together(plain, kind, 4, (engine,))
@@ -557,7 +559,7 @@ def test_a_misspelt_event_is_told_where_that_is_wanted(tmp_path: Path) -> None:
         strict.send("kick-off")
 
 
-@pytest.mark.parametrize("engine", ["numpy", "numba"])
+@pytest.mark.parametrize("engine", kept(["numpy", "numba"], lambda engine: engine == "numpy"))
 def test_a_number_that_is_no_constant_of_its_enum_is_refused(tmp_path: Path, engine: str) -> None:
     _, kind = made(system_of(ROBOT), tmp_path, "robot")
     with without_compiling():
@@ -583,7 +585,7 @@ def test_how_many_instances_there_are_is_a_number(tmp_path: Path) -> None:
         none.configuration(0)
 
 
-@pytest.mark.parametrize("engine", ["numpy", "numba"])
+@pytest.mark.parametrize("engine", kept(["numpy", "numba"], lambda engine: engine == "numpy"))
 def test_a_debugger_shows_what_is_active(tmp_path: Path, engine: str) -> None:
     _, kind = made(system_of(ROBOT), tmp_path, "robot")
     with without_compiling():
@@ -599,7 +601,7 @@ def test_a_debugger_shows_what_is_active(tmp_path: Path, engine: str) -> None:
     assert len(repr(kind(100_000).bb)) < 500
 
 
-@pytest.mark.parametrize("engine", ["numpy", "numba"])
+@pytest.mark.parametrize("engine", kept(["numpy", "numba"], lambda engine: engine == "numpy"))
 @pytest.mark.parametrize("means", [copy.copy, copy.deepcopy, lambda batch: pickle.loads(pickle.dumps(batch))])
 def test_a_copy_goes_on_alone(tmp_path: Path, engine: str, means: Any) -> None:
     plain, kind = made(system_of(ROBOT), tmp_path, "robot")

@@ -442,6 +442,7 @@ def falling(tmp_path: Path) -> Path:
     return path
 
 
+@pytest.mark.long
 def test_a_team_that_breaks_down_is_not_the_better_for_having_ended(here: Here, falling: Path) -> None:
     base = ("optimise", falling, "--activities", falling.parent / "code", "--quicker", "1", "-j", "1")
     base = (*base, "--vary", "robot.haste=0,0.5,1", "--runs", "3", "-o", falling.parent / "found")
@@ -513,6 +514,7 @@ team Stuck { one : robot }
 """With haste it is either much quicker, or does not get home at all."""
 
 
+@pytest.mark.long
 def test_the_few_that_finish_do_not_speak_for_all(here: Here, tmp_path: Path) -> None:
     (tmp_path / "stuck.aseme").write_text(STUCK, "utf-8")
     done = here(
@@ -641,6 +643,7 @@ def studied(here: Here, *arguments: str, runs: int = 5, jobs: int = 1) -> Done:
     return here(*base, *arguments)
 
 
+@pytest.mark.long
 def test_what_differs_with_each_seed_is_told_from_the_best_however_much_seeds_differ(
     here: Here, work: Path
 ) -> None:
@@ -650,6 +653,7 @@ def test_what_differs_with_each_seed_is_told_from_the_best_however_much_seeds_di
     assert re.search(r"Not to be told from it by these runs: robot.speed = .*; robot.speed = ", other.out)
 
 
+@pytest.mark.long
 def test_a_plateau_is_not_taken_for_the_end(here: Here, work: Path) -> None:
     done = studied(here, "--vary", "r=1..6", "--measure", "hall:pairs", runs=2)
     assert "**Worth it: 2 r.** Going on to 3 gains +0.0 %: less than 5 %." in done.out

@@ -56,6 +56,7 @@ def test_a_pipe_gets_no_such_line(folder: Path, name: str) -> None:
     assert "\r" not in done.stdout
 
 
+@pytest.mark.long
 def test_native_builds_say_how_many_modules_are_compiled(folder: Path) -> None:
     if find_spec("mypyc") is None or find_spec("setuptools") is None:
         pytest.skip("NOT TRIED, for the extra `native` is not installed")

@@ -95,12 +95,14 @@ def test_a_message_that_waits_for_ever_is_an_orphan_though_no_agent_waits(prove)
     assert (found["deadlock"], found["orphan messages"]) == ("PROVED", "PROVED")
 
 
+@pytest.mark.long
 def test_a_property_about_messages_that_nothing_takes_asks_for_those_that_wait_for_ever(prove) -> None:  # type: ignore[no-untyped-def]
     assert verdicts(prove(ON_AIR, "all is heard", "--json")) == {"all is heard": "REFUTED"}
     text = ON_AIR.replace("s.n == 3", "s.n == 2")
     assert verdicts(prove(text, "all is heard", "--json")) == {"all is heard": "PROVED"}
 
 
+@pytest.mark.long
 def test_two_that_send_past_each_other_and_go_on_are_a_non_local_choice(prove) -> None:  # type: ignore[no-untyped-def]
     found = verdicts(prove(PAST, "--json"))
     assert (found["deadlock"], found["non-local choice"]) == ("PROVED", "REFUTED")

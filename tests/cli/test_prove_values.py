@@ -13,6 +13,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from tests.cli.support import Here
+from tests.support.lanes import IS_LONG
 
 PLACES = {
     "received": "never received Ball b [{}]",
@@ -94,7 +95,7 @@ def happens(condition: Condition) -> bool:
     return any(map(condition.met, product(range(-6, 12), (False, True), COLOURS)))
 
 
-@settings(max_examples=6, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(max_examples=6 if IS_LONG else 2, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.lists(st.tuples(st.sampled_from(sorted(PLACES)), CONDITIONS), min_size=4, max_size=4))
 def test_a_condition_is_met_if_any_values_meet_it(
     here: Here, folder: Path, asked: list[tuple[str, Condition]]

@@ -30,6 +30,7 @@ from tests.diagrams.drawn_svg import elements_of
 from tests.diagrams.texts import TEAM, compiled
 from tests.oracle.charts import text
 from tests.oracle.choices import Choices
+from tests.support.lanes import kept
 
 EXAMPLES = Path(__file__).parents[2] / "examples"
 
@@ -116,7 +117,10 @@ def reread(chart: Statechart, picture: Picture) -> Picture:
     return replace(picture, elements=tuple(elements_of(root)))
 
 
-@pytest.mark.parametrize("name", sorted(file.name for file in EXAMPLES.iterdir() if file.is_dir()))
+@pytest.mark.parametrize(
+    "name",
+    kept(sorted(file.name for file in EXAMPLES.iterdir() if file.is_dir()), lambda name: name < "d"),
+)
 def test_planted_faults_are_noticed_in_finished_drawings(name: str) -> None:
     missed: list[str] = []
     count = 0

@@ -70,6 +70,7 @@ def test_what_nobody_can_read_is_not_attempted_in_one_picture() -> None:
     )
 
 
+@pytest.mark.long
 def test_a_thousand_operands_are_one_picture() -> None:
     chart = statechart(" | ".join(f"A{n}" for n in range(1000)))
     drawn = draw(draw_statechart(chart, Options(layout=Layout.NESTED))[0], "svg")
@@ -79,6 +80,7 @@ def test_a_thousand_operands_are_one_picture() -> None:
 
 
 @pytest.mark.slow
+@pytest.mark.long
 def test_a_deep_chart_is_drawn_in_pieces_whose_names_files_can_have() -> None:
     chart = deep(400)
     assert len(chart.states) > 1500

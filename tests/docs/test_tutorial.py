@@ -13,6 +13,7 @@ FOLDER = ROOT / "docs" / "tutorials"
 PAGES = sorted(FOLDER.glob("[1-9]-*.md"))
 
 
+@pytest.mark.long
 def test_one_folder_serves_all_pages(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     monkeypatch.setenv("COLUMNS", "80")

@@ -135,6 +135,7 @@ async def objects_kept(edits: int, first: int) -> int:
     return SERVER.tidying.kept
 
 
+@pytest.mark.long
 def test_what_a_server_keeps_does_not_grow(monkeypatch: pytest.MonkeyPatch) -> None:
     async def edited_long() -> tuple[int, int]:
         await objects_kept(70, 0)  # until as much is kept as ever

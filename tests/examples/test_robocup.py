@@ -106,6 +106,7 @@ def test_nothing_is_done_that_is_not_declared(twenty_seconds: Played) -> None:
     assert twenty_seconds.result["faults"] == 0
 
 
+@pytest.mark.long
 def test_one_seed_is_one_match(twenty_seconds: Played, project: Path) -> None:
     again = play(project, "--for", "20s", "--seed", "1", "--trace", str(project / "again.jsonl"))
     assert again.trace == twenty_seconds.trace

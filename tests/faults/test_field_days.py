@@ -17,6 +17,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import psutil
+import pytest
 
 from aseme_dsl.runtime import Context
 from aseme_dsl.runtime.driver.real_time import RealTime
@@ -135,6 +136,7 @@ def faults_of(number: int) -> Faults:
     return Faults(SEED, 0.05, 0.02, 80 * MS, tuple(crashes), tuple(cuts))
 
 
+@pytest.mark.long
 def test_memory_and_threads_stay_flat() -> None:
     kinds: Counter[str] = Counter()
     counts: list[Count] = []

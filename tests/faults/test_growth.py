@@ -53,6 +53,7 @@ def there() -> tuple[set[object], ...]:
     return set(threading.enumerate()), files, {child.pid for child in psutil.Process().children()}
 
 
+@pytest.mark.long
 def test_starts_and_cancellations_leave_nothing_behind(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

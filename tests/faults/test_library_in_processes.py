@@ -24,7 +24,7 @@ from tests.support.waiting import LONG
 pytest.importorskip("zenoh")
 
 RUNS = int(os.environ.get("PROCESS_RUNS", "1"))
-PLAYED = PROTOCOLS if "PROCESS_RUNS" in os.environ else (protocol("request"), protocol("contract_net"))
+PLAYED = PROTOCOLS if "PROCESS_RUNS" in os.environ else (protocol("contract_net"),)
 QUICKER = 10
 """The activities last so much less than in virtual time."""
 

@@ -25,11 +25,12 @@ from aseme_dsl.runtime.transport.over_zenoh import ZenohLink
 from tests.faults.team import NAME, Started, project, signals_from, started
 from tests.security.conftest import AsOther
 from tests.security.lines import line
+from tests.support.lanes import IS_LONG
 from tests.support.waiting import LONG, wait_until
 
 zenoh = pytest.importorskip("zenoh")
 
-MANY = 1000
+MANY = 1000 if IS_LONG else 300
 ROBOTS = ("robot1", "robot2", "robot3")
 
 KNOCK = """

@@ -25,6 +25,7 @@ from tests.stdlib.hostile import (
 )
 from tests.stdlib.leaving import AGENTS
 from tests.stdlib.library import PROTOCOLS, Protocol, protocol
+from tests.support.lanes import alternating
 
 WAYS: dict[str, Callable[[list[Kind]], list[Move]]] = {
     "in order": lambda kinds: [Move(*kind) for kind in kinds],
@@ -38,10 +39,10 @@ WAYS: dict[str, Callable[[list[Kind]], list[Move]]] = {
 """What a hostile agent makes of the moves of its part."""
 
 
-@pytest.mark.parametrize("way", WAYS)
-@pytest.mark.parametrize(("name", "agent"), AGENTS, ids=str)
-def test_nobody_waits_for_a_hostile_agent(name: str, agent: str, way: str) -> None:
+@pytest.mark.parametrize(("who", "way"), alternating(AGENTS, WAYS), ids=str)
+def test_nobody_waits_for_a_hostile_agent(who: tuple[str, str], way: str) -> None:
     """The others' parts end, with an ending of the protocol, and they agree on it."""
+    name, agent = who
     item = protocol(name)
     run = against(item, agent, WAYS[way](sent_by(item, item.parts[agent])))
     if (name, agent, way) == ("subscribe", "ann", "silent"):  # who never has enough is told for ever

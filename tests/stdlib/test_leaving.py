@@ -7,11 +7,12 @@ import pytest
 from tests.stdlib.hostile import endings, finish, team_of, wrongs
 from tests.stdlib.leaving import AGENTS, ALL, WAYS, ends_in_errors, moments, of, swaps
 from tests.stdlib.library import Protocol, protocol
+from tests.support.lanes import alternating
 
 
-@pytest.mark.parametrize("way", WAYS)
-@pytest.mark.parametrize(("name", "agent"), AGENTS, ids=str)
-def test_an_agent_leaves_at_any_moment(name: str, agent: str, way: str) -> None:
+@pytest.mark.parametrize(("who", "way"), alternating(AGENTS, WAYS), ids=str)
+def test_an_agent_leaves_at_any_moment(who: tuple[str, str], way: str) -> None:
+    name, agent = who
     item = protocol(name)
     found = {}
     for moment in moments(name, agent, way):
@@ -47,9 +48,9 @@ def activities_of(item: Protocol, agent: str) -> list[str]:
     return [state.activity for state in states if state.activity in item.acts]
 
 
-@pytest.mark.parametrize("caught", [True, False], ids=["caught", "not caught"])
-@pytest.mark.parametrize(("name", "agent"), AGENTS, ids=str)
-def test_any_activity_of_an_agent_fails(name: str, agent: str, caught: bool) -> None:
+@pytest.mark.parametrize(("who", "caught"), alternating(AGENTS, [True, False]), ids=str)
+def test_any_activity_of_an_agent_fails(who: tuple[str, str], caught: bool) -> None:
+    name, agent = who
     item = protocol(name)
     found = {}
     for activity in activities_of(item, agent):

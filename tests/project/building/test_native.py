@@ -24,7 +24,7 @@ from tests.oracle.plain import without_limits
 from tests.oracle.test_plain import Game
 from tests.support.generated import Generated, generate, imported, system_of
 
-EXAMPLES = int(os.environ.get("NATIVE_EXAMPLES", "2"))
+EXAMPLES = int(os.environ.get("NATIVE_EXAMPLES", "1"))
 """So many random charts are compiled, which takes seconds."""
 GAMES = 20
 
