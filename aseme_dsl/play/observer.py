@@ -485,7 +485,10 @@ class Observer:
         holds: set[int] = set()
         occurs: set[int] = set()
         for number, condition in enumerate(self.script.conditions):
-            is_held, has_occurred = self._judge(number, condition, happening, holds, occurs)
+            if rests and isinstance(condition, Holds):  # the agent may have made its next step already
+                is_held, has_occurred = number in self._held, False
+            else:
+                is_held, has_occurred = self._judge(number, condition, happening, holds, occurs)
             if is_held:
                 holds.add(number)
             if has_occurred:

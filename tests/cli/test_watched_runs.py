@@ -138,6 +138,17 @@ def test_a_run_without_properties_is_as_before(folder: Path, here: Here) -> None
     assert done.json["result"]["watched"] == []
 
 
+def test_what_a_step_sets_was_not_so_before_it(here: Here, folder: Path) -> None:
+    (folder / "clock.aseme").write_text(
+        "system Clock\nsrm clock {\n  var n : int = 0\n  liveness { clock = Tick~ }\n"
+        "  activities { Tick waits }\n  control clock { repeat Tick : after(20ms) / n = n + 1 }\n}\n"
+        'team T { one : clock }\nproperty "few" { never one has [n > 3] }\n'
+    )
+    done = here("run", "clock.aseme", "-o", "out", "--for", "600ms", "--json", "-q")
+    (found,) = breaches(folder / "out" / "trace.jsonl.gz")
+    assert (done.code, found["broken"]) == (1, 80_000_000)
+
+
 GONE = """\
 system Gone
 function gone(double x) : double = "math:not_there"
