@@ -12,6 +12,23 @@ from tests.cli.support import Here
 from tests.cli.test_prove import BUY, CENTRES, FORGED, LATE, MEET
 from tests.proofs.random_talks import talk_of
 
+OPENS = """\
+system Opens
+message Job { int number }
+message Done { int number }
+aip talk {
+  participant boss { sends request Job  receives inform Done  process = Wait . Close }
+  participant hand { receives request Job  sends inform Done  process = Rest . Work . Tell }
+  control boss { enter Wait : / send request Job to hand  enter Close : inform Done from hand }
+  control hand { enter Work : request Job from boss  enter Tell : / send inform Done { number = 1 } to boss }
+}
+srm boss_role { plays talk.boss liveness { boss_role = boss } activities { Wait waits  Close takes 1s } }
+srm hand_role { plays talk.hand liveness { hand_role = hand } activities { Rest waits } }
+team T { ann : boss_role  bob : hand_role }
+property "none closes" { never ann in Close }
+"""
+"""Its first message is sent before any activity has run: without code it says what a new message says."""
+
 TALKS = range(int(os.environ.get("REPLAYED_TALKS", "6")))
 """Random protocols whose counterexamples are played."""
 
@@ -41,6 +58,12 @@ def test_what_is_refuted_fails_when_it_is_played(
     verdicts = {item["name"]: item["verdict"] for item in played.json["scenarios"]}
     assert verdicts == {f"{item['name']} of {item['of']}": "failed" for item in found}
     assert len(list((folder / "stories").glob("*.svg"))) == len(found)
+
+
+def test_what_opens_a_conversation_may_have_been_prepared_by_nobody(here: Here, folder: Path) -> None:
+    (folder / "a.aseme").write_text(OPENS)
+    done = here("prove", "a.aseme", "none closes", "--json")
+    assert [item["verdict"] for item in done.json["results"]] == ["REFUTED"], done.out
 
 
 def test_what_holds_leaves_no_file(here: Here, folder: Path) -> None:

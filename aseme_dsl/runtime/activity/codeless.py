@@ -41,7 +41,7 @@ class Codeless:
 
     def _remark_undecided(self, branch: str, now: int) -> None:
         """Remark that a participant agrees to nothing, since no activity of it has code."""
-        if self._code.has_code_in(branch) or self._code.is_simulated(branch):
+        if self._code.has_code_in(branch, or_stand_in=True) or self._code.is_simulated(branch):
             return
         plan = self._agent.plan
         found = undecided(plan, branch)

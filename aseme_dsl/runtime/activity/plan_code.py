@@ -29,8 +29,9 @@ class PlanCode:
         """Where the code of activities is found."""
         self._infos = {info.name: info for info in agent.plan.activities}
         self._found: dict[str, CodeOf] = {}
-        self._coded: dict[str, bool] = {}
-        """Whether an activity of a branch has code, for those that were asked for."""
+        self._coded: dict[tuple[str, bool], bool] = {}
+        """Whether an activity of a branch has code, for those that were asked for; with or without
+        stand-ins."""
 
     def renew(self, find: ActivityFinder) -> None:
         """The agent has another plan now."""
@@ -71,14 +72,19 @@ class PlanCode:
         except ActivityError:
             return True
 
-    def has_code_in(self, branch: str) -> bool:
-        """Whether an activity of a protocol branch has code."""
-        if branch not in self._coded:
-            self._coded[branch] = any(
-                self.has_code(item.activity or "") or self._agent.callback(item.label) is not None
+    def has_code_in(self, branch: str, *, or_stand_in: bool) -> bool:
+        """Whether an activity of a protocol branch has code, or else one that stands in for code."""
+        key = branch, or_stand_in
+        if key not in self._coded:
+            self._coded[key] = any(
+                (self.has_code(name := item.activity or "") and (or_stand_in or not self._stands_in(name)))
+                or self._agent.callback(item.label) is not None
                 for item in self._agent.plan.activities_inside.get(branch, ())
             )
-        return self._coded[branch]
+        return self._coded[key]
+
+    def _stands_in(self, activity: str) -> bool:
+        return getattr(self.of(activity).code, "stands_in", False)
 
     def is_simulated(self, branch: str) -> bool:
         """Whether the activities of a protocol branch are declared to have no code."""

@@ -48,7 +48,8 @@ class Requests:
         if content is None and opens:
             content = prepared.take_around(plan, branch, message, source)
         if content is None and (
-            prepared.has_codeless(plan, branch, opens) or not agent.code.has_code_in(branch)
+            prepared.has_codeless(plan, branch, opens)
+            or not agent.code.has_code_in(branch, or_stand_in=False)
         ):
             agent.trace.write(
                 "default_content",
