@@ -47,6 +47,7 @@ def test_scenarios_have_the_same_verdicts(cluster: str, here: Here, folder: Path
     assert "failed" in there.out
 
 
+@pytest.mark.long
 def test_a_study_has_the_same_numbers(cluster: str, here: Here, folder: Path) -> None:
     """Several variants, so several packages with modules of the same names, on workers that stay."""
     (folder / "feed.aseme").write_text(FEED)

@@ -193,6 +193,7 @@ srm robot {{
 }}
 """
 
+    @pytest.mark.long
     def test_the_part_around_the_cursor(self) -> None:
         session = Session()
         whole = session.at("liveness ‸{", self.TEXT)

@@ -20,7 +20,7 @@ from aseme_dsl.proofs.explore.search import Limits
 from aseme_dsl.runtime.monitor import rules
 from aseme_dsl.runtime.version.loading import load_system
 
-TEAMS = int(os.environ.get("TIMED_TEAMS", "6"))
+TEAMS = int(os.environ.get("TIMED_TEAMS", "3"))
 RUNS = 12
 """So many seeds a team is played with, in each of the ways."""
 LASTS = (50, 100, 150, 200, 300)

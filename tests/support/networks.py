@@ -26,7 +26,7 @@ from tests.support.generated import Generated, generate
 
 BAD = "delay=0..300ms,loss=10%,reorder"
 """The network of issue J."""
-SEEDS = range(1, int(os.environ.get("NETWORK_SEEDS", "24")) + 1)
+SEEDS = range(1, int(os.environ.get("NETWORK_SEEDS", "12")) + 1)
 
 Activities = Mapping[str, type[Any]]
 """The code of activities by name; the others only last."""

@@ -198,6 +198,7 @@ MISTAKES: tuple[Callable[[random.Random], None], ...] = (no_import, nonsense, no
 
 
 @pytest.mark.parametrize("seed", [1])
+@pytest.mark.long
 def test_any_edits_give_what_a_build_from_nothing_gives(
     seed: int, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
