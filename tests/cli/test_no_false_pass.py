@@ -50,6 +50,11 @@ WAYS = {
         ["--states", "5"],
         "dead states",
     ),
+    "a message that the agent does not read": (
+        _role("") + 'property "p" { never robot has [field.state.Ball.number >= 0] }\n',
+        [],
+        "p",
+    ),
     "leads to, whose first part never comes": (
         _role("control robot { enter Work : [false && true]  skip Work : else }")
         + 'property "p" { every robot in Work leads to robot in Wait }\n',

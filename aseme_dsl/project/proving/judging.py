@@ -21,6 +21,7 @@ from aseme_dsl.project.proving.watched import (
     is_timed,
     left_out_of_times,
     named,
+    unread_of,
 )
 from aseme_dsl.proofs.explore.explored import Assumed, Explored
 from aseme_dsl.proofs.explore.questions import Stuck, Untouched, around, stuck, unmet, untouched
@@ -159,6 +160,9 @@ class Judge:
         if asks_for_more(self._watch.observer.script, item):
             reason = "it asks for an age, the history of a channel, or a function"
             return self._result(name, Verdict.UNDECIDED, reason, item=item)
+        plans = {agent.name: agent.plan for agent in self._explored.agents}
+        if unread := unread_of(self._watch.observer.script, item, plans):
+            return self._result(name, Verdict.UNDECIDED, f"vacuous: {unread}", item=item)
         return self._unbroken(name, item=item)
 
     def _ever_untaken(self, item: Expectation) -> Untouched | None:

@@ -35,6 +35,7 @@ from aseme_dsl.play.scenario import (
     all_parts,
 )
 from aseme_dsl.play.sight.insight import Insight, Live
+from aseme_dsl.proofs.explore.alone import reads_of
 from aseme_dsl.proofs.explore.explored import Explored
 from aseme_dsl.proofs.explore.needed import Asked
 from aseme_dsl.proofs.explore.search import Monitors
@@ -43,6 +44,7 @@ from aseme_dsl.proofs.timed.search import Due
 from aseme_dsl.proofs.timed.stamp import Mark, Stamp
 from aseme_dsl.runtime.agent.agent import Agent
 from aseme_dsl.runtime.chart.board import NEVER
+from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.monitor.rules import (
     AfterFirst,
     Always,
@@ -94,6 +96,19 @@ def conditions_in(script: Script | None) -> Iterator[Condition]:
         return
     for number in _numbers_in(script):
         yield script.conditions[number]
+
+
+def unread_of(script: Script, item: Expectation, plans: Mapping[str, Plan]) -> str:
+    """That an agent does not read the message that it is said to have; empty if it does. `plans` are those of
+    the agents."""
+    found = (
+        f"{condition.agent} does not read {part.channel}, so it never has one"
+        for condition in conditions_in(replace(script, expectations=(item,)))
+        if isinstance(condition, Holds)
+        for part in e.walk(condition.value)
+        if isinstance(part, e.Member) and str(part.channel) not in reads_of(plans[condition.agent])
+    )
+    return next(found, "")
 
 
 def _numbers_in(script: Script) -> Iterable[int]:
@@ -407,4 +422,5 @@ __all__ = [
     "named",
     "names_in",
     "terms_in",
+    "unread_of",
 ]
