@@ -42,7 +42,7 @@ def main() -> int:
         show("log of messages", found.events, spent, start, read)
         header = Path(folder) / "header.jsonl"
         header.write_text(TraceReader(trace).header().text + "\n")
-        for path in (trace, packed(trace, folder)):
+        for path in (trace, *(packed(trace, folder, suffix) for suffix in ("jsonl.gz", "mcap"))):
             whole = seconds(lambda: deque((line.record for line in TraceReader(path)), maxlen=0) and None)  # noqa: B023
             _, start = observed(header, Session(None))
             found, spent = observed(path, Session(None))
@@ -96,9 +96,9 @@ def seconds(call: Callable[[], object]) -> float:
     return time.process_time() - before
 
 
-def packed(trace: Path, folder: str) -> Path:
-    """The same as MCAP."""
-    path = Path(folder) / "trace.mcap"
+def packed(trace: Path, folder: str, suffix: str) -> Path:
+    """The same as another kind of file."""
+    path = Path(folder) / f"trace.{suffix}"
     command = [sys.executable, "-m", "aseme_dsl", "trace", str(trace), "-o", str(path)]
     subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
     return path

@@ -23,7 +23,7 @@ from aseme_dsl.diagrams.sequence.sequence import Mark
 from aseme_dsl.project.playing.following import TraceFollower
 from aseme_dsl.project.playing.sniff import Sniffer
 from aseme_dsl.runtime.trace import trace_gzip
-from aseme_dsl.runtime.trace.trace_formats import format_for
+from aseme_dsl.runtime.trace.trace import format_for
 from tests.cli.support import Here
 from tests.conftest import Snapshot
 from tests.diagrams.overlaps import Painted, overlaps

@@ -11,7 +11,7 @@ from aseme_dsl.project.observing.session import Observed, Session
 from aseme_dsl.project.playing.merging import Beginning, shifts
 from aseme_dsl.runtime.trace.records import Record
 from aseme_dsl.runtime.trace.trace_files import TraceError
-from aseme_dsl.runtime.trace.trace_reading import Line, TraceReader, fitting
+from aseme_dsl.runtime.trace.trace_reading import MISFITS, Line, TraceReader, fitting, misfit
 from aseme_dsl.runtime.workers.process_wide import uncollected
 
 
@@ -56,10 +56,14 @@ def _traces(paths: Sequence[Path], session: Session) -> tuple[Observed, tuple[tu
             Beginning().add(header.record)
     session.headers(header.record for header in headers)
     lines = _lines(readers[0], 0) if len(readers) == 1 else _merged(readers)
+    for reader in readers:
+        reader.kinds = session.kinds
     for reader, line, record in lines:
         if line.number > 1:
-            with fitting(reader.path, line):
+            try:  # a line a few microseconds long: `fitting` would take as long again
                 session.see(record)
+            except MISFITS as problem:
+                raise misfit(reader.path, line, problem) from problem
     problems = [(reader.path, reader.problem) for reader in readers if reader.problem is not None]
     return session.end(), tuple(problems)
 

@@ -14,6 +14,8 @@ from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.trace.packed import unpacked
 from aseme_dsl.runtime.trace.records import Record, agents_of, as_record
 
+_KINDS = frozenset(("agent_message", "received", "conversation", "swap"))
+"""What is looked into for the protocols alone."""
 MOST = 100
 """So many deviations are listed; the others are counted."""
 
@@ -144,6 +146,11 @@ class Session:
             )
 
     # ---- lines -----------------------------------------------------------------------------------
+
+    @property
+    def kinds(self) -> frozenset[str] | None:
+        """The kinds of lines that are looked into; None: all."""
+        return None if self._statements is not None and self._statements.is_needed else _KINDS
 
     def see(self, record: Record) -> None:
         """The next line of a trace behind the header."""

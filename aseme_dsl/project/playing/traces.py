@@ -13,8 +13,8 @@ from typing import TypedDict
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.trace.records import Record, Taken, agents_of, targets_of
 from aseme_dsl.runtime.trace.state_names import StateNames
+from aseme_dsl.runtime.trace.trace import format_for
 from aseme_dsl.runtime.trace.trace_files import TraceError, part_of, reason_of
-from aseme_dsl.runtime.trace.trace_formats import format_for
 from aseme_dsl.runtime.trace.trace_reading import Line
 
 _FRAME = ("header", "finish")

@@ -47,7 +47,7 @@ OPTIONAL = {
     "mango-agents": ("mango", "agents as mango agents, which talk over TCP"),
     "mcap": ("trace", "traces as MCAP files"),
     "mcap-protobuf-support": ("trace", "traces as MCAP files"),
-    "msgspec": ("trace", "lets observe read logs faster"),
+    "msgspec": ("trace", "reads logs and traces faster"),
     "numpy": ("batch", "thousands of statecharts at once, in arrays"),
     "numba": ("numba", "the same as machine code"),
     "mypy": ("native", "machine code of plain statecharts"),

@@ -39,8 +39,18 @@ from aseme_dsl.runtime.trace.fault_counts import FaultCounts
 from aseme_dsl.runtime.trace.packed import packed
 from aseme_dsl.runtime.trace.records import Record, Taken, as_record
 from aseme_dsl.runtime.trace.state_names import titles_of
-from aseme_dsl.runtime.trace.trace_files import FORMAT, Background, Direct, Output, part_of, reason_of
-from aseme_dsl.runtime.trace.trace_formats import format_for
+from aseme_dsl.runtime.trace.trace_files import (
+    FORMAT,
+    GZIP_SUFFIX,
+    MCAP_SUFFIX,
+    Background,
+    Direct,
+    Format,
+    JsonLines,
+    Output,
+    part_of,
+    reason_of,
+)
 
 Listener = Callable[[Record], None]
 """Is shown the lines: all, or if it has a method `wants(kind, what)` those of which that says so. It is asked
@@ -448,6 +458,24 @@ class Trace:
     def failure(self, moment: int, agent: str, reason: str, at: str = "", **members: object) -> None:
         """The agent stops."""
         self.write("error", moment, agent=agent, reason=reason, at=at or None, **members)
+
+
+def format_for(path: Path, part: Path) -> Format:
+    """A new file at `part`, of the kind that the name `path` says.
+
+    Raises:
+        OSError: there cannot be a file.
+        TraceError: the kind needs a package that is not installed.
+    """
+    if path.suffix == MCAP_SUFFIX:
+        from aseme_dsl.runtime.trace.trace_mcap import McapFile
+
+        return McapFile(part)
+    if path.suffix == GZIP_SUFFIX:
+        from aseme_dsl.runtime.trace.trace_gzip import GzipFile
+
+        return GzipFile(part)
+    return JsonLines(part)
 
 
 def _no_time() -> int:

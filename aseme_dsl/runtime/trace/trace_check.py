@@ -3,6 +3,8 @@
 Readers rely on it: a line that they are given has what it should have, also in a trace that was made by
 others. Members and kinds that the schema does not know come from another version, and are not looked at. Nor
 are the bounds of numbers and texts, which do no reader any harm.
+
+Where msgspec is installed, it looks first, in a tenth of the time: see `trace_types`.
 """
 
 from __future__ import annotations
@@ -13,13 +15,11 @@ from functools import cache
 from typing import TypeAlias, cast
 
 from aseme_dsl.runtime.trace.records import Record
-from aseme_dsl.runtime.trace.trace_schema import Schema, line_schema, lines_of, schema
+from aseme_dsl.runtime.trace.trace_schema import LATEST, Schema, line_schema, lines_of, schema
+from aseme_dsl.runtime.trace.trace_types import is_right
 
 Check: TypeAlias = Callable[[object], "str | None"]
 """What is wrong with a value, said of it: ` is missing`; None if nothing is."""
-
-LATEST = 2**63 - 1
-"""No time and no number of a trace is larger."""
 
 _TYPES: Mapping[str, tuple[type, str]] = {
     "string": (str, "a text"),
@@ -33,7 +33,10 @@ _TYPES: Mapping[str, tuple[type, str]] = {
 
 def wrong_in(record: Record) -> str | None:
     """What is wrong with a line: `agents is missing`, `taken.0.source is not a text`."""
-    check = _checks().get(record["kind"])
+    kind = record["kind"]
+    if is_right(record, kind):
+        return None
+    check = _checks().get(kind)
     found = None if check is None else check(record)
     return None if found is None else found.removeprefix(".")
 

@@ -15,8 +15,9 @@ import contextlib
 import io
 import json
 import re
+import struct
 import zlib
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Set
 from datetime import datetime
 from pathlib import Path
 from typing import IO, TYPE_CHECKING, Any
@@ -298,12 +299,15 @@ def lines_in(file: IO[bytes], path: Path) -> Iterator[str]:
     mine: set[int] = set()
     number = 0
     whole = False
-    unpacking = _Unpacking()
+    unpacking = _Unpacking(mine)
     bounded: Any = _Bounded(file)
     reader = StreamReader(bounded, emit_chunks=True, validate_crcs=True, record_size_limit=LONGEST)
     try:
         for record in (inner for outer in reader.records for inner in unpacking.records(outer)):
-            if isinstance(record, Channel) and record.topic.startswith(PREFIX):
+            if type(record) is bytes:
+                number += 1
+                yield record.decode("utf-8")
+            elif isinstance(record, Channel) and record.topic.startswith(PREFIX):
                 mine.add(record.id)
             elif isinstance(record, McapMessage) and record.channel_id in mine:
                 number += 1
@@ -323,17 +327,19 @@ def lines_in(file: IO[bytes], path: Path) -> Iterator[str]:
 class _Unpacking:
     """Unpacks the chunks of a file, up to a limit for all of them together."""
 
-    def __init__(self) -> None:
+    def __init__(self, wanted: Set[int]) -> None:
+        """`wanted` are the numbers of the channels whose messages are, at any time."""
+        self._wanted = wanted
         self._packed = self._unpacked = 0
 
     def records(self, record: Any) -> Iterator[Any]:
         """What is in a chunk, or the record itself if it is none.
 
+        The usual message in a chunk comes as its content alone, and one that is not wanted does not come.
+
         Raises _Damaged, and what the libraries do.
         """
-        from mcap.exceptions import EndOfFile
         from mcap.records import Chunk
-        from mcap.stream_reader import StreamReader
 
         if not isinstance(record, Chunk):
             yield record
@@ -345,10 +351,35 @@ class _Unpacking:
             raise _Damaged(f"it unpacks to more than {MOST_TIMES} times its size")
         if record.uncompressed_crc and zlib.crc32(data) != record.uncompressed_crc:
             raise _Damaged("the checksum of a chunk is another")
-        inside: Any = _Bounded(io.BytesIO(data))
-        with contextlib.suppress(EndOfFile):  # it has no footer
-            reader = StreamReader(inside, skip_magic=True, emit_chunks=True, record_size_limit=LONGEST)
-            yield from reader.records
+        yield from self._inside(data)
+
+    def _inside(self, data: bytes) -> Iterator[Any]:
+        from mcap.exceptions import EndOfFile
+        from mcap.records import Channel, Schema
+        from mcap.stream_reader import StreamReader
+
+        file, place = io.BytesIO(data), 0
+        is_usual = True
+        while is_usual:
+            # Nearly all are messages. mcap takes ten times as long for one.
+            while place + _MESSAGE.size <= len(data):
+                opcode, length, channel = _MESSAGE.unpack_from(data, place)
+                end = place + _OPCODE_AND_LENGTH + length
+                if opcode != _IS_MESSAGE or length <= _BEFORE_CONTENT or end > len(data):
+                    break
+                if channel in self._wanted:
+                    yield data[place + _OPCODE_AND_LENGTH + _BEFORE_CONTENT : end]
+                place = end
+            file.seek(place)
+            inside: Any = _Bounded(file)
+            is_usual = False
+            with contextlib.suppress(EndOfFile):  # it has no footer
+                reader = StreamReader(inside, skip_magic=True, emit_chunks=True, record_size_limit=LONGEST)
+                for record in reader.records:
+                    place = file.tell()
+                    yield record
+                    if is_usual := isinstance(record, Channel | Schema):
+                        break
 
 
 def _content(record: Any) -> bytes:
@@ -392,6 +423,10 @@ class _Bounded:
 
 
 _NO_SIZE = bytes(8)
+_MESSAGE = struct.Struct("<BQH")
+"""How a message begins: what kind of record it is, its size behind that, and its channel."""
+_IS_MESSAGE = 5
+_OPCODE_AND_LENGTH, _BEFORE_CONTENT = 9, 22
 
 
 class _Damaged(Exception):

@@ -24,9 +24,14 @@ from aseme_dsl.runtime.trace.trace_files import FORMAT, TraceError, part_of
 from aseme_dsl.runtime.trace.trace_gzip import MAGIC as GZIP_MAGIC
 from aseme_dsl.runtime.trace.trace_gzip import unpacked_lines
 from aseme_dsl.runtime.trace.trace_mcap import LONGEST, MAGIC, Torn, lines_in
+from aseme_dsl.runtime.trace.trace_types import decoded, time_in
 
+_BEGINNING = '{"kind":"'
 MOST_PARTS = 1_000_000
 """No line has so many lists and objects: each takes many times the room in memory that it takes in a file."""
+
+MISFITS = (LookupError, TypeError, ValueError, AttributeError, OverflowError)
+"""What is raised by a line that does not fit those before it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,11 +51,14 @@ def fitting(path: Path, line: Line) -> Iterator[None]:
     """
     try:
         yield
-    except (LookupError, TypeError, ValueError, AttributeError, OverflowError) as problem:
-        text = f"{type(problem).__name__}: {problem}"
-        raise TraceError(
-            f"{path}:{line.number}: this line does not fit those before it ({text})"
-        ) from problem
+    except MISFITS as problem:
+        raise misfit(path, line, problem) from problem
+
+
+def misfit(path: Path, line: Line, problem: Exception) -> TraceError:
+    """What is said of a line at which one of `MISFITS` was raised."""
+    text = f"{type(problem).__name__}: {problem}"
+    return TraceError(f"{path}:{line.number}: this line does not fit those before it ({text})")
 
 
 class TraceReader:
@@ -60,9 +68,13 @@ class TraceReader:
     `problem` says afterwards what is not. `NAME` stands for `NAME.part` where there is no `NAME`.
     """
 
-    def __init__(self, path: Path) -> None:
-        """Raises TraceError if there is no such file."""
+    def __init__(self, path: Path, kinds: Collection[str] | None = None) -> None:
+        """If `kinds` are given, lines of others may have no more than their kind and their time.
+
+        Raises TraceError if there is no such file.
+        """
         self.path = path
+        self.kinds = kinds
         if not path.exists() and part_of(path).exists():
             self.path = part_of(path)
         self.problem: str | None = None
@@ -171,6 +183,10 @@ class TraceReader:
             texts = lines_in(file, self.path) if self._is_mcap else self._texts(file)
             try:
                 for number, text in enumerate(texts, before + 1):
+                    if number > 1 and (record := self._passed_over(text)) is not None:
+                        self.finished = record["kind"] == "finish"
+                        yield Line(number, text, record)
+                        continue
                     record = record_of(text)
                     if record is None or (number == 1 and record["kind"] != "header"):
                         for _ in texts if self._is_packed else ():  # the rest of a torn block may be nonsense
@@ -194,6 +210,16 @@ class TraceReader:
             raise TraceError(f"{self.path} is empty")
         if self.problem is None and not self.finished:
             self.problem = f"{self.path}: the run did not come to its end: there is no line `finish`"
+
+    def _passed_over(self, text: str) -> Record | None:
+        """Kind and time of a line that is not wanted; None if it is to be read in full."""
+        if self.kinds is None or not text.startswith(_BEGINNING):
+            return None
+        kind = text[len(_BEGINNING) : text.find('"', len(_BEGINNING))]
+        if kind in self.kinds or text.count("{") + text.count("[") > outside.DEEPEST:
+            return None
+        moment = time_in(text, kind)
+        return None if moment is None else as_record({"kind": kind, "time": moment})
 
     def _texts(self, file: BufferedReader) -> Iterator[str]:
         number = 0
@@ -262,12 +288,15 @@ def _decoded(data: bytes) -> str:
 
 def record_of(text: str) -> Record | None:
     """What a line says, or None if it is none."""
-    if text.count("{") + text.count("[") > MOST_PARTS:
+    parts = text.count("{") + text.count("[")
+    if parts > MOST_PARTS:
         return None
-    try:
-        found = outside.loads(text)
-    except ValueError:
-        return None
+    found = decoded(text) if parts <= outside.DEEPEST else None
+    if found is None:
+        try:
+            found = outside.loads(text)
+        except ValueError:
+            return None
     if not isinstance(found, dict) or not isinstance(found.get("kind"), str):
         return None
     moment = found.get("time")

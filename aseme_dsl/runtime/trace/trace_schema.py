@@ -7,6 +7,9 @@ from pathlib import Path
 
 Schema = dict[str, object]
 
+LATEST = 2**63 - 1
+"""No time and no number of a trace is larger."""
+
 
 def schema() -> Schema:
     """The JSON Schema of one line."""

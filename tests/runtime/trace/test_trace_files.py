@@ -20,9 +20,8 @@ from hypothesis import strategies as st
 
 from aseme_dsl.runtime import Context
 from aseme_dsl.runtime.trace import trace_blocks, trace_files, trace_gzip, trace_mcap
-from aseme_dsl.runtime.trace.trace import Trace
+from aseme_dsl.runtime.trace.trace import Trace, format_for
 from aseme_dsl.runtime.trace.trace_files import TraceError
-from aseme_dsl.runtime.trace.trace_formats import format_for
 from aseme_dsl.runtime.trace.trace_reading import TraceReader
 from tests.runtime.playing import SECOND, check_line, lines_of, play
 from tests.support.generated import Generated, generate
