@@ -1,8 +1,8 @@
 """Trace types: reads and checks the usual line of a trace with msgspec, where that is installed.
 
 It is ten times as fast as Python. What it reads, the parser of Python reads in the same way; where it finds
-nothing wrong, `trace_check` finds nothing either. Whatever else there is, is left to these: also lines with
-members that the schema does not know.
+nothing wrong, `trace_check` finds nothing either. All other lines are left to these, also those with members
+that the schema does not know.
 """
 
 from __future__ import annotations
