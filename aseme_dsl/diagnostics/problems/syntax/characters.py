@@ -146,8 +146,9 @@ class NumberWithUnit(Problem):
 
     @property
     def hint(self) -> str:
-        also = f"; minutes are written {self.number}min" if self.unit in ("m", "M") else ""
-        return f"write {self.number}, and its unit in a comment{also}"
+        is_minute = self.unit in ("m", "M")
+        time = f"minutes are written {self.number}min" if is_minute else "units of time are ms, s and min"
+        return f"write {self.number}, and its unit in a comment; {time}"
 
 
 class BlankBeforeUnit(Problem):
