@@ -8,6 +8,7 @@ from pathlib import Path
 
 from aseme_dsl.project.observing.log_lines import MessageLog, is_trace
 from aseme_dsl.project.observing.session import Observed, Session
+from aseme_dsl.project.observing.statements import StoryWanted
 from aseme_dsl.project.playing.merging import Beginning, shifts
 from aseme_dsl.runtime.trace.records import Record
 from aseme_dsl.runtime.trace.trace_files import TraceError
@@ -30,7 +31,11 @@ def observe(paths: Sequence[Path], session: Session) -> tuple[Observed, tuple[tu
         first = next(path for path in paths if is_trace(path) != is_trace(paths[0]))
         raise TraceError(f"{paths[0]} and {first} are logs of different kinds: observe one kind at a time")
     with uncollected():  # what is read makes no cycles, and stays: to look through it takes half of the time
-        return _traces(paths, session) if kinds == {True} else _logs(paths, session)
+        read = _traces if kinds == {True} else _logs
+        try:
+            return read(paths, session.hasty())
+        except StoryWanted:
+            return read(paths, session)
 
 
 def _logs(paths: Sequence[Path], session: Session) -> tuple[Observed, tuple[tuple[Path, str], ...]]:

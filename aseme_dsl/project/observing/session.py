@@ -62,7 +62,11 @@ class Session:
     def __init__(self, model: Model | None, tell: Tell | None = None, *, from_start: bool = False) -> None:
         """Without a `model`, that in the header counts. `from_start`: see `Talks`."""
         self._model = model
+        self._models: dict[str, Model] = {}
+        """What was compiled of traces."""
+        self._tells = tell is not None
         self._tell = tell or Tell()
+        self._is_hasty = False
         self._from_start = from_start
         self._talks = Talks({}, from_start=from_start)
         self._statements: Statements | None = None
@@ -73,6 +77,16 @@ class Session:
         self._events = 0
         self._moment = 0
         self._has_several = False
+
+    def hasty(self) -> Session:
+        """Another one that sees the same, in a fraction of the time, and collects nothing for stories.
+
+        It raises StoryWanted where a statement is broken. If this one tells at once what is broken, so does
+        the other one, and collects stories as well: it reports nothing twice.
+        """
+        found = Session(self._model, self._tell, from_start=self._from_start)
+        found._models, found._is_hasty = self._models, not self._tells
+        return found
 
     # ---- the beginning ---------------------------------------------------------------------------
 
@@ -89,7 +103,9 @@ class Session:
             first = next((item for item in known if "sources" in item), None)
             if first is None:
                 raise NoModel
-            model = model_in(unpacked(first["sources"]))
+            packed = first["sources"]
+            model = self._models.get(packed) or model_in(unpacked(packed))
+            self._models[packed] = model
         team = {
             str(item["name"]): str(item.get("role", "")) for header in known for item in agents_of(header)
         }
@@ -142,15 +158,21 @@ class Session:
             self._notes.append(f"properties and clauses are not watched: {script.span}: {script.reason}")
         elif script is not None:
             self._statements = Statements(
-                script, model.topics, plans, self._tell.statement, is_trace=is_trace
+                script,
+                model.topics,
+                plans,
+                self._tell.statement,
+                is_trace=is_trace,
+                is_hasty=self._is_hasty,
             )
 
     # ---- lines -----------------------------------------------------------------------------------
 
     @property
-    def kinds(self) -> frozenset[str] | None:
-        """The kinds of lines that are looked into; None: all."""
-        return None if self._statements is not None and self._statements.is_needed else _KINDS
+    def kinds(self) -> frozenset[str]:
+        """The kinds of lines of which more counts than the time, who it is about, and their number."""
+        statements = self._statements
+        return _KINDS | statements.kinds if statements is not None and statements.is_needed else _KINDS
 
     def see(self, record: Record) -> None:
         """The next line of a trace behind the header."""

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
 
-from aseme_dsl.play.observer import Observer
+from aseme_dsl.play.observer import KINDS, Observer
 from aseme_dsl.play.scenario import Script
 from aseme_dsl.play.sight.deciding import reduced
 from aseme_dsl.play.sight.guards import Guards
 from aseme_dsl.play.sight.insight import Kept
+from aseme_dsl.play.sight.sightings import LAG
 from aseme_dsl.play.sight.story import Happened
 from aseme_dsl.play.sight.storyteller import Storyteller
 from aseme_dsl.project.observing.evidence import Evidence, needs_of, never_in_a_log
@@ -22,6 +23,8 @@ Plans = Mapping[tuple[str, str], Plan]
 """What agents may run, by the names of roles and the hashes of models."""
 UNDECIDED = "undecided"
 """The verdict of a statement for which a log does not have all that it asks for."""
+_OF_LOGS = frozenset(("gap", "checkpoint", "conversation", "swap", "select", "life"))
+"""Lines that say what a log is the log of, beside those that the observer sees."""
 _OF_STATES = ("activity", "conversation")
 """Lines with labels of states, which only the version that the agent ran explains."""
 _OF_MEMBERS = ("step", "error")
@@ -37,11 +40,15 @@ class Statement:
     story: tuple[Happened, ...] = ()
 
 
+class StoryWanted(Exception):
+    """A statement is broken, and nothing was collected for its story."""
+
+
 class _Observer(Observer):
     """Keeps the story of each statement from when it is broken."""
 
-    def __init__(self, script: Script) -> None:
-        teller = Storyteller((name for name, _ in script.team), Guards({}))
+    def __init__(self, script: Script, *, is_hasty: bool) -> None:
+        teller = None if is_hasty else Storyteller((name for name, _ in script.team), Guards({}))
         super().__init__(script, {}, goes_on=True, teller=teller)
         self.stories: dict[int, tuple[Happened, ...]] = {}
 
@@ -64,8 +71,11 @@ class Statements:
         tell: Callable[[Statement], None],
         *,
         is_trace: bool,
+        is_hasty: bool = False,
     ) -> None:
-        """`topics` are the types of what is sent on topics; `plans` gives what agents may run. `tell` hears
+        """If it `is_hasty`, nothing is collected for stories: what would tell one raises StoryWanted.
+
+        `topics` are the types of what is sent on topics; `plans` gives what agents may run. `tell` hears
         of each that is broken, when it is seen."""
         kinds = frozenset(topics)
         all_needs = [needs_of(script, item, kinds) for item in script.expectations]
@@ -78,7 +88,8 @@ class Statements:
         self._script = reduced(script, [script.expectations[number] for number in kept])
         self._tell = tell
         found = plans() if kept else {}
-        self._observer = _Observer(self._script)
+        self._is_hasty = is_hasty
+        self._observer = _Observer(self._script, is_hasty=is_hasty)
         self._watch: Watch | None = None
         if kept:
             self._watch = Watch(self._script, lambda text: None, False, found.values(), self._observer)
@@ -93,6 +104,12 @@ class Statements:
         self.is_needed = self._watch is not None
         """Whether lines have to be shown: whether anything can be decided."""
         self._is_trace = is_trace
+        self.kinds = _OF_LOGS | {kind for kind in KINDS if self._observer.wants(kind, None)}
+        """The kinds of lines of which more counts than the time, who it is about, and their number."""
+        self._looked = 0
+        """The time of the last line that the watch was shown."""
+        self._passed_over: int | None = None
+        """The time of the lines since then."""
 
     def header(self, record: Record) -> None:
         """The first line of a trace; of several, those of the other processes."""
@@ -122,10 +139,26 @@ class Statements:
             if record["kind"] in ("swap", "select"):
                 self._changes(record)
         self._moment = max(self._moment, record["time"])
-        if evidence.missing is None and (known := self._known(record)) is not None:
+        is_seen = not self._is_passed_over(record) and evidence.missing is None
+        if is_seen and (known := self._known(record)) is not None:
             self._show(known)
         if len(self._observer.stories) > len(self._told):
             self._judge()
+
+    def _is_passed_over(self, record: Record) -> bool:
+        """Whether a line tells the watch nothing but the time, which another one tells it soon."""
+        moment, before = record["time"], self._passed_over
+        is_soon = moment <= self._looked + LAG and self.evidence.missing is None
+        if is_soon and record["kind"] not in self.kinds:
+            self._passed_over = moment if before is None else max(moment, before)
+            return True
+        if before is not None and self._watch is not None:
+            # What comes too late stays so, and nothing that is seen before lines are missing is lost.
+            if self.evidence.missing is not None or moment <= before - LAG:
+                self._watch.look(before)
+            self._passed_over = None
+        self._looked = max(self._looked, moment)
+        return False
 
     def end(self) -> tuple[Statement, ...]:
         """What has become of all of them when the log has ended."""
@@ -182,6 +215,8 @@ class Statements:
 
     def _broken(self, number: int) -> Statement:
         assert self._watch is not None
+        if self._is_hasty:
+            raise StoryWanted
         return Statement(self._watch.of(number, "broken"), story=self._observer.stories[number])
 
     def _statement(self, number: int, item: Watched) -> Statement:
@@ -204,4 +239,4 @@ def _without_states(step: Record) -> Record:
     return as_record({name: value for name, value in step.items() if name != "configuration"} | {"taken": []})
 
 
-__all__ = ["UNDECIDED", "Plans", "Statement", "Statements"]
+__all__ = ["UNDECIDED", "Plans", "Statement", "Statements", "StoryWanted"]

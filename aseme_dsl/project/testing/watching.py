@@ -125,6 +125,7 @@ class Watch:
         has to continue after a breach."""
         self._script = script
         self._observer = Observer(script, {}, goes_on=True) if observer is None else observer
+        self._kinds = frozenset(kind for kind in KINDS if self._observer.wants(kind, None))
         self._tell = tell
         self._is_strict = is_strict
         self._told: set[int] = set()
@@ -188,7 +189,7 @@ class Watch:
         agent, kind = record.get("agent", ""), record["kind"]
         if kind == "life" and record.get("what") == "crash" and agent in dict(self._script.team):
             self._later.crash(agent, record["time"])
-        elif kind in KINDS:
+        elif kind in self._kinds:
             self._later.take(Sighting(record, inside))
         self.look(record["time"])
 

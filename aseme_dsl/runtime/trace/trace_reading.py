@@ -24,7 +24,7 @@ from aseme_dsl.runtime.trace.trace_files import FORMAT, TraceError, part_of
 from aseme_dsl.runtime.trace.trace_gzip import MAGIC as GZIP_MAGIC
 from aseme_dsl.runtime.trace.trace_gzip import unpacked_lines
 from aseme_dsl.runtime.trace.trace_mcap import LONGEST, MAGIC, Torn, lines_in
-from aseme_dsl.runtime.trace.trace_types import decoded, time_in
+from aseme_dsl.runtime.trace.trace_types import beginning, decoded
 
 _BEGINNING = '{"kind":"'
 MOST_PARTS = 1_000_000
@@ -69,7 +69,7 @@ class TraceReader:
     """
 
     def __init__(self, path: Path, kinds: Collection[str] | None = None) -> None:
-        """If `kinds` are given, lines of others may have no more than their kind and their time.
+        """If `kinds` are given, lines of others may have no more than their kind, time, agent and number.
 
         Raises TraceError if there is no such file.
         """
@@ -212,14 +212,14 @@ class TraceReader:
             self.problem = f"{self.path}: the run did not come to its end: there is no line `finish`"
 
     def _passed_over(self, text: str) -> Record | None:
-        """Kind and time of a line that is not wanted; None if it is to be read in full."""
+        """The beginning of a line that is not wanted; None if it is to be read in full."""
         if self.kinds is None or not text.startswith(_BEGINNING):
             return None
         kind = text[len(_BEGINNING) : text.find('"', len(_BEGINNING))]
         if kind in self.kinds or text.count("{") + text.count("[") > outside.DEEPEST:
             return None
-        moment = time_in(text, kind)
-        return None if moment is None else as_record({"kind": kind, "time": moment})
+        found = beginning(text, kind)
+        return None if found is None else as_record(found)
 
     def _texts(self, file: BufferedReader) -> Iterator[str]:
         number = 0

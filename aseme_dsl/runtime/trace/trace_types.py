@@ -36,16 +36,25 @@ def is_right(record: Mapping[str, object], kind: str) -> bool:
     return True
 
 
-def time_in(text: str, kind: str) -> int | None:
-    """The time of a line of this kind with which nothing is wrong; what else it says is not kept.
+def beginning(text: str, kind: str) -> dict[str, object] | None:
+    """Kind, time, agent and sequence of a line of this kind, as far as it has them.
 
-    None: there may be something wrong.
+    None: there may be something wrong with the line.
     """
     read = _reader(kind)
+    if read is None:
+        return None
     try:
-        return None if read is None else cast(int, read(text).time)
+        line = read(text)
     except (ValueError, RecursionError):
         return None
+    found: dict[str, object] = {"kind": kind, "time": line.time}
+    agent, number = getattr(line, "agent", None), getattr(line, "sequence", None)
+    if type(agent) is str:
+        found["agent"] = agent
+    if type(number) is int:
+        found["sequence"] = number
+    return found
 
 
 @cache
@@ -136,4 +145,8 @@ def _list(module: Any, part: Schema) -> Any:
     return Annotated[list.__class_getitem__(every), limits]
 
 
-__all__ = ["decoded", "is_right", "time_in"]
+__all__ = [
+    "beginning",
+    "decoded",
+    "is_right",
+]
