@@ -35,9 +35,9 @@ def reactive_problem(ways: Sequence[Transition], branch: str, found: Sequence[Tr
         return "several reactive transitions lead back to the choice"
     expression = back[0].expression if back else None
     if expression is not None:
-        if not expression.when or expression.events or expression.actions or back[0].resume or back[0].first:
+        is_more = expression.events or expression.actions or back[0].resume or back[0].first
+        if not expression.when or expression.condition is None or is_more:
             return "the reactive transition back to the choice should be `when [c]`"
-        assert expression.condition is not None
     condition = None if expression is None else expression.condition
     return _back_problem(decided, branch, condition)
 
