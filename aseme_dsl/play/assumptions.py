@@ -87,12 +87,10 @@ class Assumptions:
             if moment > due:
                 self._break(item, due)
 
-    def look(
-        self, known: Callable[[str], Known], moment: int, stepped: Collection[str] | None = None
-    ) -> None:
+    def look(self, known: Callable[[str], Known], moment: int, stepped: Collection[str] | None) -> None:
         """Something has happened: what each agent knows may be otherwise.
 
-        If that is known, `stepped` are the only agents that have made a step since the last look.
+        `stepped` are the only agents that have made a step since the last look; None if that is not known.
         """
         for item, is_passing in self._values:
             is_same = not is_passing and stepped is not None and item.agent not in stepped

@@ -254,7 +254,7 @@ class Executions:
                 now + lasts, lambda: self.agent.errand(lambda: self.returned(execution, None))
             )
         else:
-            if getattr(code, "stands_in", False):
+            if node.program.stands_in:
                 self.agent.requests.prepared.begun_without_code(execution.branch)
             if info.takes is not None and self.agent.driver.clock.virtual:
                 execution.opens = now + info.takes

@@ -19,6 +19,11 @@ class CodeOf:
     error: ActivityError | None
     """Why the activity cannot run."""
 
+    @property
+    def stands_in(self) -> bool:
+        """Whether the code only stands in for code that is not there."""
+        return getattr(self.code, "stands_in", False)
+
 
 class PlanCode:
     """Finds the code of the activities of an agent's plan."""
@@ -77,14 +82,11 @@ class PlanCode:
         key = branch, or_stand_in
         if key not in self._coded:
             self._coded[key] = any(
-                (self.has_code(name := item.activity or "") and (or_stand_in or not self._stands_in(name)))
+                (self.has_code(name := item.activity or "") and (or_stand_in or not self.of(name).stands_in))
                 or self._agent.callback(item.label) is not None
                 for item in self._agent.plan.activities_inside.get(branch, ())
             )
         return self._coded[key]
-
-    def _stands_in(self, activity: str) -> bool:
-        return getattr(self.of(activity).code, "stands_in", False)
 
     def is_simulated(self, branch: str) -> bool:
         """Whether the activities of a protocol branch are declared to have no code."""
