@@ -79,7 +79,6 @@ def test_a_thousand_operands_are_one_picture() -> None:
     assert {f"t{place}" for place in range(len(chart.transitions))} <= shown.ids
 
 
-@pytest.mark.slow
 @pytest.mark.long
 def test_a_deep_chart_is_drawn_in_pieces_whose_names_files_can_have() -> None:
     chart = deep(400)

@@ -215,7 +215,6 @@ def watch(system: Loaded, seed: int) -> Watched:
     return seen
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("seed", SEEDS)
 def test_it_keeps_the_clauses_of_its_protocol(matches: Mapping[int, Watched], seed: int) -> None:
     """clause at most one center; clause PassBall@center before KickBall@center_for."""
@@ -227,12 +226,10 @@ def test_it_keeps_the_clauses_of_its_protocol(matches: Mapping[int, Watched], se
         assert passes >= 0, match.attack
 
 
-@pytest.mark.slow
 def test_the_attack_of_the_papers_is_seen(matches: Mapping[int, Watched]) -> None:
     assert {"PassBall@center", "KickBall@center_for"} <= set(matches[11].attack)
 
 
-@pytest.mark.slow
 @pytest.mark.parametrize("seed", SEEDS)
 def test_it_plays_well(matches: Mapping[int, Watched], seed: int) -> None:
     """A match is the same to the bit everywhere; that the team wins it is what a visitor should see."""
@@ -241,7 +238,6 @@ def test_it_plays_well(matches: Mapping[int, Watched], seed: int) -> None:
     assert match.score[0] > match.score[1]
 
 
-@pytest.mark.slow
 def test_it_stays_within_what_the_radio_takes(matches: Mapping[int, Watched]) -> None:
     match = matches[11]
     assert match.radio_messages > 500

@@ -154,7 +154,15 @@ def test_each_robot_says_what_its_run_has_left_open(tmp_path: Path) -> None:
     options = ("--process-per-agent", "--quiet", "--json")
     done = long_enough(
         lambda seconds: asemec("run", "trade.aseme", "--for", f"{seconds}s", *options, cwd=tmp_path),
-        lambda done: "Offer from seller" in done.out and "[ready]" in done.out,
+        lambda done: (
+            "Offer from seller" in done.out
+            and "[ready]" in done.out
+            and all(
+                len(talk["members"]) == 2
+                for robot in done.json["result"]["robots"]
+                for talk in robot["end"]["conversations"]
+            )
+        ),
     )
     assert done.code == 0, done.out + done.err
     for robot, awaited in zip(

@@ -78,7 +78,6 @@ def test_a_large_file() -> None:
     assert kinds == {tree.System, tree.Enum, tree.Message, tree.Topic, tree.Aip, tree.Srm, tree.Team}
 
 
-@pytest.mark.slow
 def test_a_line_needs_ten_kilobytes_at_most() -> None:
     """So ten thousand fit into a hundred megabytes."""
     text = large_file(2_500)

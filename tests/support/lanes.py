@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 from typing import Any
 
 import pytest
@@ -17,21 +17,20 @@ def kept(items: Iterable[Any], is_kept: Callable[[Any], object]) -> list[Any]:
 
     The items of a test with several parameters are tuples.
     """
-    return [
-        pytest.param(
-            *(item if isinstance(item, tuple) else (item,)), marks=() if is_kept(item) else pytest.mark.long
-        )
-        for item in items
-    ]
+    return [_tried(item if isinstance(item, tuple) else (item,), is_kept(item)) for item in items]
 
 
-def alternating(some: Iterable[Any], others: Iterable[Any]) -> list[Any]:
+def alternating(some: Iterable[Any], others: Collection[Any]) -> list[Any]:
     """Each of some with each of the others: every other pair, as on a chessboard, is always tried."""
-    pairs = [((i + j) % 2, (one, other)) for i, one in enumerate(some) for j, other in enumerate(others)]
     return [
-        *kept((pair for colour, pair in pairs if colour == 0), lambda pair: True),
-        *kept((pair for colour, pair in pairs if colour == 1), lambda pair: False),
+        _tried((one, other), (row + column) % 2 == 0)
+        for row, one in enumerate(some)
+        for column, other in enumerate(others)
     ]
+
+
+def _tried(values: tuple[Any, ...], always: object) -> Any:
+    return pytest.param(*values, marks=() if always else pytest.mark.long)
 
 
 __all__ = ["IS_LONG", "alternating", "kept"]

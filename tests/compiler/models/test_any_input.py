@@ -45,7 +45,6 @@ def test_a_statechart_that_could_not_be_read_completely_makes_no_follow_ups() ->
     assert [code[:2] for code in codes(text)] == ["E1"]
 
 
-@pytest.mark.slow
 def test_thousands_of_lines() -> None:
     """No phase depends on how deep the stack of Python is. `benchmarks/large_file.py` has 10 000 lines."""
     text = large_file(3_000)
