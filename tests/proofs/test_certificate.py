@@ -138,6 +138,34 @@ def test_faults_in_the_charts_of_examples_are_noticed(name: str) -> None:
     assert missed == []
 
 
+REACTIVE = """system T
+srm R {
+  var b : bool
+  var c : bool
+  liveness {
+    R = S
+    S = (A . B) | (C || D) | E
+  }
+  control S reactive {
+    enter (A . B) : go / b = true
+    enter (C || D) : when [c]
+    enter (C || D) : stop
+    enter E : hop
+    enter E : go / c = true
+    enter E : when [b]
+    resume (A . B) : else
+  }
+}
+"""
+
+
+def test_faults_in_a_reactive_choice_are_noticed() -> None:
+    found, made = inspected(REACTIVE)
+    all_faults = [item for chart in made.statecharts for item in faults(chart)]
+    assert len(all_faults) > 150
+    assert [f"{item.kind}: {item.text}" for item in all_faults if not noticed(found, made, item)] == []
+
+
 def test_faults_in_random_charts_are_noticed() -> None:
     missed: list[str] = []
     for seed in range(1000, 1000 + RANDOM // 2):

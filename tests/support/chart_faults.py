@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
+from itertools import product
 
+from aseme_dsl.amola.expression import Holds, Logic, Not, Value, value_text, walk
 from aseme_dsl.amola.statechart import State, Statechart, StateType, Transition
 from aseme_dsl.proofs.certificate.meaning import same
 
@@ -27,7 +29,8 @@ def faults(chart: Statechart) -> Iterator[Fault]:
         def with_it(*instead: Transition, place: int = place) -> Statechart:
             return replace(chart, transitions=(*transitions[:place], *instead, *transitions[place + 1 :]))
 
-        yield Fault("dropped", text, with_it())
+        if not never_holds(item):
+            yield Fault("dropped", text, with_it())
         yield Fault("doubled", text, with_it(item, replace(item, priority=item.priority + 100)))
         yield Fault("kind", f"{text} first", with_it(replace(item, first=not item.first)))
         if item.changes_state:
@@ -54,6 +57,27 @@ def faults(chart: Statechart) -> Iterator[Fault]:
         for made in _other_states(chart, state):
             states = (*chart.states[:place], made, *chart.states[place + 1 :])
             yield Fault("state", f"{state.label}: {made.activity}", replace(chart, states=states))
+
+
+def never_holds(item: Transition) -> bool:
+    """Whether the condition of a reactive transition is false, whatever holds: it is as good as dropped."""
+    condition = item.expression.condition
+    if not item.reactive or item.expression.events or condition is None:
+        return False
+    asked = sorted({value_text(part) for part in walk(condition) if isinstance(part, Holds)})
+    truths = (dict(zip(asked, truth, strict=True)) for truth in product((False, True), repeat=len(asked)))
+    return not any(_truth(condition, truth) for truth in truths)
+
+
+def _truth(value: Value, truth: Mapping[str, bool]) -> bool:
+    match value:
+        case Holds():
+            return truth[value_text(value)]
+        case Not(operand=operand):
+            return not _truth(operand, truth)
+        case Logic(operator=operator, operands=operands):
+            return (all if operator == "&&" else any)(_truth(part, truth) for part in operands)
+    raise AssertionError(f"what a choice asks for again: {value_text(value)}")
 
 
 def _beside(chart: Statechart, item: Transition) -> list[State]:

@@ -17,8 +17,9 @@ LARGEST = 10
 def reactive_problem(ways: Sequence[Transition], branch: str, found: Sequence[Transition]) -> str | None:
     """What is wrong with the reactive transitions that a branch has; None if they are as they should be.
 
-    `ways` are the transitions of the choice in their order. A branch has one transition back to the choice
-    for conditions, and one to each branch that an event selects.
+    `ways` are the transitions of the choice, and `found` those of the branch, both in the order in which they
+    are tried. A branch has one transition to each branch that an event selects, and behind them one back to
+    the choice for conditions.
     """
     choice = ways[0].source
     back = [item for item in found if item.target == choice]
@@ -30,9 +31,14 @@ def reactive_problem(ways: Sequence[Transition], branch: str, found: Sequence[Tr
         wanted = replace(way.expression, when=False)
         if item.target != way.target or not same(item.expression, wanted) or item.resume is not way.resume:
             return f"the reactive transition to {item.target} should lead to {way.target}"
+        if item.first or item.span != way.span:
+            return f"the reactive transition to {item.target} is of another kind or place than the choice's"
     decided = [way for way in ways if way.expression.when or not way.expression.events]
     if len(back) > 1:
         return "several reactive transitions lead back to the choice"
+    own = next(way for way in ways if way.target == branch)
+    if back and (back[0] is not found[-1] or back[0].span != own.span):
+        return "the reactive transition back to the choice is tried before others or points to another place"
     expression = back[0].expression if back else None
     if expression is not None:
         is_more = expression.events or expression.actions or back[0].resume or back[0].first

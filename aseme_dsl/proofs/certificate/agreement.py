@@ -369,7 +369,7 @@ class Comparison:
     def _same_edge(self, found: Transition, span: Span, origin: Origin, run: _Run | None) -> None:
         source, target = self.chart.node(found.source), self.chart.node(found.target)
         name = f"{source.name}TO{target.name}"
-        if found.span != span or found.origin != origin or found.name != name:
+        if found.span != span or found.origin != origin or found.name != name or found.into:
             self._fail(source, f"its transition {self._shown(found)} points to another place", run)
 
     def _beside(
@@ -552,7 +552,7 @@ class Comparison:
     def _reactive(self) -> None:
         """The reactive transitions are those of the branches of reactive choices."""
         found: dict[str, list[Transition]] = {}
-        for item in self.chart.transitions:
+        for item in sorted(self.chart.transitions, key=lambda item: item.priority):
             if item.reactive:
                 found.setdefault(item.source, []).append(item)
         for label in self.reactive.keys() | found.keys():
@@ -562,7 +562,9 @@ class Comparison:
             problem = reactive_problem(self.reactive[label], label, there)
             if problem is not None:
                 self._fail(state, problem, None)
-            self.followed.update(map(id, there))
+            for item in there:
+                self._same_edge(item, item.span, self.reactive[label][0].origin, None)
+                self.followed.add(id(item))
 
     def _variables(self, own: Iterable[DeclaredVariable]) -> None:
         """The variables of the role, and those of each participant's subchart."""
@@ -629,8 +631,8 @@ _NOWHERE = Span(Source("", ""), 0, 0)
 
 
 def _is_special(item: Transition) -> bool:
-    """Whether a transition interrupts, resumes or makes a choice again."""
-    return item.first or item.resume or item.reactive
+    """Whether a transition interrupts, resumes, makes a choice again, or has several targets."""
+    return item.first or item.resume or item.reactive or bool(item.into)
 
 
 def _variable(item: DeclaredVariable, label: str | None) -> Variable:
