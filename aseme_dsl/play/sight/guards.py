@@ -213,7 +213,7 @@ def told(part: e.Value, value: object) -> str:
         return shown(value)
     if isinstance(value, str) and part.type != STRING:
         return value  # a constant of an enum, an outcome
-    return cut(json.dumps(value, ensure_ascii=False), _LONGEST)
+    return cut(json.dumps(value, ensure_ascii=False, default=repr), _LONGEST)
 
 
 __all__ = ["Guards", "explained", "told", "unmet", "values"]

@@ -39,6 +39,8 @@ _LONG = 3600 * SECOND
 """So long a scenario waits for what does not come (ns)."""
 _GAPS = (10**9, 10**8, 10**7, 10**6, 10**3, 0)
 """So far apart (ns) are two moves of a run with times, if they can be."""
+_MOST = 24
+"""So many more numbers are tried at the most."""
 _SHOWN = 5
 """So many dead states are named."""
 
@@ -87,6 +89,34 @@ def asks_for_times(item: Expectation, found: Result | None) -> bool:
     return is_safe and found is not None and found.is_abstract
 
 
+@dataclass(frozen=True, slots=True)
+class Answers:
+    """What a search has found: `results`, and what was `reached`. `is_exact`: each way is that of a run."""
+
+    results: tuple[Result, ...]
+    reached: Reached
+    is_exact: bool = True
+
+    @property
+    def is_decided(self) -> bool:
+        return all(item.verdict is not Verdict.UNDECIDED for item in self.results)
+
+    def surer(self, other: Answers) -> Answers:
+        """These, with what another search decides. Where that has ways that are of no run, it proves no more
+        than what is not on any of them."""
+        decided = {
+            item.name: item
+            for item in other.results
+            if item.verdict is Verdict.REFUTED
+            or (item.verdict is Verdict.PROVED and (other.is_exact or item.name == "failures"))
+        }
+        results = tuple(
+            decided.get(item.name, item) if item.verdict is Verdict.UNDECIDED else item
+            for item in self.results
+        )
+        return Answers(results, other.reached if "dead states" in decided else self.reached)
+
+
 class Judge:
     """Answers the questions about one team."""
 
@@ -125,6 +155,23 @@ class Judge:
             yield from self._agreement()
         yield self._dead()
         yield self._seen("failures", "failure", "circling")
+
+    @property
+    def is_of_few(self) -> bool:
+        """Whether the search was not cut by time, and has tried few numbers, which do not stand for all."""
+        graph, values = self._graph, self._explored.values
+        return bool(values.bounds) and (graph.cut is None or graph.cut != self._limits.time)
+
+    @property
+    def beside(self) -> tuple[float, ...]:
+        """Numbers beside which the numbers that may be any are different; none if they are too many."""
+        found = self._explored.order.beside
+        return found if len(found) <= _MOST else ()
+
+    def answers(self, *, is_all: bool) -> Answers:
+        """The answers about what the document says; `is_all`: and to what is asked of every team."""
+        results = tuple(self.results() if is_all else self.expected())
+        return Answers(results, self.reached, self._explored.order.is_exact)
 
     def expected(self) -> Iterator[Result]:
         """The answers about what the document says."""
@@ -335,6 +382,8 @@ class Judge:
         at: Sequence[int] | None = None,
     ) -> Result:
         """What a run speaks against, once it was played; `at` are the moments of its moves, if known."""
+        if self._explored.values.may_be_any:
+            return replace(found, verdict=Verdict.UNDECIDED, is_abstract=True)
         replay = written(self._explored, self._first, steps, run, at)
         if not replay.problem:
             replay = played(self._scope.root, replay, self._loaded, item)

@@ -30,7 +30,14 @@ from aseme_dsl.project.building.build import choose
 from aseme_dsl.project.building.project import Compiled, compile_root, options_of
 from aseme_dsl.project.playing.operate import generate_version, loaded_for
 from aseme_dsl.project.proving.contradicting import contradiction_in
-from aseme_dsl.project.proving.judging import Judge, Reached, Times, asks_for_times, dead_states
+from aseme_dsl.project.proving.judging import (
+    Answers,
+    Judge,
+    Reached,
+    Times,
+    asks_for_times,
+    dead_states,
+)
 from aseme_dsl.project.proving.pairs import by_pairs, equal_in
 from aseme_dsl.project.proving.results import BUILT_IN, Bounds, Result, Verdict
 from aseme_dsl.project.proving.scopes import Scope, scopes_of
@@ -46,6 +53,7 @@ from aseme_dsl.project.proving.watched import (
     terms_in,
 )
 from aseme_dsl.proofs.explore.apart import groups_of
+from aseme_dsl.proofs.explore.deciding.order import Unanswerable
 from aseme_dsl.proofs.explore.explored import Assumed, Explored
 from aseme_dsl.proofs.explore.needed import Asked
 from aseme_dsl.proofs.explore.search import Eyes, Limits, search
@@ -150,6 +158,27 @@ def _explored(
             assert judge is not None
             return judge.failures()
 
+        def answered(
+            team: Scope, script: Script | None, parts: float, about: Asked | None = None, is_all: bool = False
+        ) -> Answers | None:
+            """The answers of one search, and of others in which numbers may be any, or more are tried; there
+            are none as `_searched` says. `is_all`: also those to what is asked of every team."""
+            judge = search_in(team, script, share(parts), about=about)
+            given = None if judge is None else judge.answers(is_all=is_all)
+            if judge is None or given is None or not judge.is_of_few or given.is_decided:
+                return given
+            try:
+                judge = search_in(team, script, share(parts), about=about, numbers=None)
+                assert judge is not None
+                abstract = judge.answers(is_all=is_all)
+            except Unanswerable:
+                return given
+            given, numbers = given.surer(abstract), judge.beside
+            if given.is_decided or not any(item.is_abstract for item in abstract.results) or not numbers:
+                return given
+            judge = search_in(team, script, share(parts), about=about, numbers=numbers)
+            return given if judge is None else given.surer(judge.answers(is_all=is_all))
+
         found: dict[str, Result] = {}
         rest: list[Expectation] = []
         timed = [item for item in wanted if is_timed(item.rule)]
@@ -165,21 +194,20 @@ def _explored(
                 if proved is not None:
                     found[named(item)] = proved
                     continue
-                judge = None if about is None else search_in(scope, one, share(parts), about=about)
-                if judge is None:
+                answers = None if about is None else answered(scope, one, parts, about)
+                if answers is None:
                     rest.append(item)
                 else:
-                    found[named(item)] = next(judge.expected())
+                    found |= {answer.name: answer for answer in answers.results}
             own_script = replace(own_script, expectations=tuple(rest))
         has_more = others > 0
         is_whole = groups == [scope.team]
         if rest or (has_more and is_whole):
             now, later = len(rest), len(timed)
             now, later = (now + others, later) if is_whole else (now, later + others)
-            judge = search_in(scope, own_script, share((now + later) / max(1, now)))
-            assert judge is not None
-            given = judge.results() if is_whole else judge.expected()
-            found |= {item.name: with_times(item, scope, later) for item in given}
+            answers = answered(scope, own_script, (now + later) / max(1, now), is_all=is_whole)
+            assert answers is not None
+            found |= {item.name: with_times(item, scope, later) for item in answers.results}
         timed = [item for item in wanted if asks_for_times(item, found.get(named(item)))]
         others = 0 if is_whole else others
         for number, item in enumerate(timed):
@@ -195,11 +223,11 @@ def _explored(
             reached: list[Reached] = []
             for number, group in enumerate(groups):
                 part = replace(scope, team=group)
-                judge = search_in(part, None, share(len(groups) - number))
-                assert judge is not None
+                answers = answered(part, None, len(groups) - number, is_all=True)
+                assert answers is not None
                 later = len(groups) - number - 1
-                about_groups += [with_times(item, part, later) for item in judge.results()]
-                reached.append(judge.reached)
+                about_groups += [with_times(item, part, later) for item in answers.results]
+                reached.append(answers.reached)
             yield from _together(about_groups, reached, scope)
 
 
@@ -254,9 +282,12 @@ def _searched(
     asked: Sequence[str],
     about: Asked | None = None,
     times: Times | None = None,
+    numbers: Sequence[float] | None = (),
 ) -> Judge | None:
     """One search, with the judge of what it has found. With `about`, it is about that alone: what does not
-    matter to it stands still. Then there is none if everything matters, unless `times` are measured."""
+    matter to it stands still. Then there is none if everything matters, unless `times` are measured.
+    `numbers`: see Explored. Raises Unanswerable, if these may be any, and the team asks more of one than how
+    it compares."""
     eyes = Eyes()
     watch = Watched(script) if script is not None and script.expectations else None
     listeners: list[Listener] = [eyes] if watch is None else [eyes, watch.observer]
@@ -272,6 +303,7 @@ def _searched(
         about,
         times is not None,
         conditions=tuple(terms_in(script)),
+        numbers=numbers,
     )
     if about is not None and explored.needed is None and times is None:
         return None

@@ -20,6 +20,7 @@ from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.history import History
 from aseme_dsl.runtime.chart.inputs import Identity, Sample
 from aseme_dsl.runtime.chart.plan import Plan, terms_in
+from aseme_dsl.runtime.message.as_json import StandIn
 
 _ORDER = ("==", "!=", "<", "<=", ">", ">=")
 
@@ -82,6 +83,15 @@ def pauses(agent: Agent) -> Iterator[tuple[str, _Node, int]]:
         every = node.program.info.every
         if every is not None and node.last_start is not None and NOW - node.last_start < every:
             yield label, node, every
+
+
+def settle_timers(chart: Chart) -> None:
+    """Timers that were started with a time that may be any have run out at once, or run out at any moment."""
+    for board in chart.boards():
+        timers = {} if board is None else board.timers
+        for name, due in timers.items():
+            if issubclass(type(due), StandIn):
+                timers[name] = NOW + 1 if due > NOW else NOW
 
 
 def _board(chart: Chart, number: int) -> Board:

@@ -10,12 +10,20 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import field
 from functools import partial
 
-from aseme_dsl.proofs.explore.ages import Passing, asks_for_history, passing, pauses, thresholds_of
+from aseme_dsl.proofs.explore.ages import (
+    Passing,
+    asks_for_history,
+    passing,
+    pauses,
+    settle_timers,
+    thresholds_of,
+)
 from aseme_dsl.proofs.explore.alone import Alone, Sent, fixed_in, measured, reads_of
 from aseme_dsl.proofs.explore.coming import Coming
 from aseme_dsl.proofs.explore.deciding.acting import Acting, Free
 from aseme_dsl.proofs.explore.deciding.choosing import Choices
 from aseme_dsl.proofs.explore.deciding.later import Contents, Later
+from aseme_dsl.proofs.explore.deciding.order import Order
 from aseme_dsl.proofs.explore.deciding.outcomes import Outcomes
 from aseme_dsl.proofs.explore.deciding.staging import OPEN, StandsFor, asked_in, events, lists_of, staged
 from aseme_dsl.proofs.explore.deciding.values import Condition, Values
@@ -119,13 +127,15 @@ class Explored:
         with_times: bool = False,
         alone: Alone | None = None,
         conditions: Sequence[Condition] = (),
+        numbers: Sequence[float] | None = (),
     ) -> None:
         """`listeners` are given the lines of a trace. `further` objects belong to the state of the team;
         `layout` has the parts of these, and what of those is not keyed (see `Layout`). They ask for the
         variables and timers in `kept`, for what is in messages of the types `told`, and for `conditions`.
         What does not matter to the question that is `asked`, if there is one, does not move. `with_times`,
         each move says when it may happen, counted from those before; else time is not measured. `alone`,
-        there is one agent, and it says what comes to that."""
+        there is one agent, and it says what comes to that. Where a few numbers do not stand for all, these
+        `numbers` are tried, too; None: there is one that may be any, and nothing can be retraced."""
         self.choices = Choices()
         self._assumed = assumed
         self.driver = driver = Still()
@@ -161,14 +171,24 @@ class Explored:
             for channel in reads_of(loaded.charts[role].PLAN)
         ]
         self.values = Values(
-            plans, loaded.types, names, fixed_in(known), is_few=alone is not None, conditions=conditions
+            plans,
+            loaded.types,
+            names,
+            fixed_in(known),
+            is_few=alone is not None,
+            conditions=conditions,
+            numbers=numbers,
         )
         self._outcomes = Outcomes(self.choices)
-        self.later = Later(self.choices, self.values, self._outcomes)
-        contents = Contents(self.choices, self.values, self.later, loaded.messages, told)
+        self.order = Order(self.choices)
+        self.order.asks = lambda: self._is_moving
+        self._is_moving = False
+        self.later = Later(self.choices, self.values, self._outcomes, self.order)
+        contents = Contents(self.choices, self.values, self.later, loaded.messages, told, self.order)
         is_asked = asked_in(plans, told)
         self._acting = acting = Acting(
-            self.choices, self.values, contents, plans, self._is_new, self._outcomes, is_asked, kept
+            *(self.choices, self.values, contents, plans, self._is_new, self._outcomes, is_asked, kept),
+            self.order,
         )
         acting.publishes = alone is None
         charts = {
@@ -234,7 +254,7 @@ class Explored:
                     self.conversations._sending._choosing,
                     self.conversations.directory,
                     *(self.bus, self.ways, driver, self.crashed, self.late, self.spurned, self.later.decided),
-                    *further,
+                    *(self.order.known, *further),
                 ],
             ],
             layout_of(loaded, *layout),
@@ -326,6 +346,7 @@ class Explored:
             if agent.name not in self._touched:
                 continue
             self.coming.forget(agent)
+            settle_timers(agent.chart)
             if self.alone is not None:
                 self.coming.forget_kept(agent, self._ages[agent.role])
             nodes = agent.executions._nodes
@@ -474,6 +495,7 @@ class Explored:
         self._touched.clear()
         self._outcomes.begin()
         self.coming.begin()
+        self._is_moving = True
         try:
             self._touch(move.agent)
             move.do()
@@ -481,6 +503,7 @@ class Explored:
             if self._with_times:
                 self._begin_anew()
         finally:
+            self._is_moving = False
             self.coming.end()
 
     def _begin_anew(self) -> None:

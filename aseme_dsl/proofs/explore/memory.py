@@ -31,6 +31,7 @@ from types import (
 from typing import Any, cast
 
 from aseme_dsl.proofs.explore.deciding.later import content_of
+from aseme_dsl.proofs.explore.deciding.order import AnyNumber
 from aseme_dsl.proofs.explore.deciding.unread import place_of
 from aseme_dsl.proofs.timed.stamp import Stamp
 from aseme_dsl.records import dataclass
@@ -127,13 +128,13 @@ class Memory:
         layout: Layout,
         senders: Iterable[str],
         protocols: Iterable[str],
-        decided: Callable[[int], str],
+        decided: Callable[[Iterable[int]], str],
     ) -> None:
         """`sections` are the roots of each section. The last one is what the others have in common: it may
         mean objects of the others, but these do not mean its objects, nor each other's.
 
         What these `senders` send is numbered, and so are the conversations of the `protocols`. `decided` says
-        what has been decided of a content.
+        what has been decided of contents and numbers.
         """
         self._decided = decided
         self._roots = tuple(tuple(reversed(roots)) for roots in sections)
@@ -258,9 +259,8 @@ class Memory:
             digest.update(section.shape)
             for name, number in section.names:
                 known = numbers.setdefault(name, {})
-                if not name and number not in known:
-                    digest.update(self._decided(number).encode())
                 digest.update(b"%s %d " % (name.encode(), known.setdefault(number, len(known))))
+        digest.update(self._decided(numbers.get("", ())).encode())
         return digest.digest()
 
     def numbered(self, text: str) -> tuple[str, int] | None:
@@ -481,6 +481,8 @@ class _Keying:
         return type(value) is str and value in self._memory.senders
 
     def _other(self, value: Any) -> object:
+        if type(value) is AnyNumber:
+            return "", self._renamed("", value.number), value.offset
         if isinstance(value, Stamp):
             return int(value)
         if isinstance(value, Enum):

@@ -7,10 +7,12 @@ from collections.abc import Mapping
 from aseme_dsl.proofs.explore.deciding.acting import Acting
 from aseme_dsl.proofs.explore.deciding.choosing import Choices
 from aseme_dsl.proofs.explore.deciding.later import Decided
+from aseme_dsl.proofs.explore.deciding.order import AnyNumber, Known, Order
 from aseme_dsl.proofs.explore.deciding.staging import Open
 from aseme_dsl.proofs.explore.deciding.values import Values
 from aseme_dsl.proofs.explore.memory import Layout
 from aseme_dsl.proofs.explore.surroundings import Still, StillClock, Ways
+from aseme_dsl.proofs.timed.zone import Zone
 from aseme_dsl.runtime.activity.execution import Execution
 from aseme_dsl.runtime.activity.executions import Executions, _Node
 from aseme_dsl.runtime.activity.plan_code import PlanCode
@@ -56,7 +58,7 @@ def layout_of(
     constant = (
         *(Plan, Trace, Routes, PlanCode, Effects, ConversationTrace, StillClock, Choices, Values),
         *(Giving, Delivery, FreeMessages, ExternalOutbox, ExternalInbox, Losses, Counting, Parts, Sending),
-        *(Transport, Management, Conversations, Entry, Open, Acting),
+        *(Transport, Management, Conversations, Entry, Open, Acting, AnyNumber, Zone, Order),
     )
     parts = {
         Agent: (
@@ -90,6 +92,7 @@ def layout_of(
         Choosing: frozenset(("_count", "_addressed")),
         Participation: frozenset(("spoken",)),
         Decided: frozenset(("values", "made")),
+        Known: frozenset(("zone", "whole", "loose", "made")),
     }
     ordered = {
         Desk: lambda desk: tuple((part, tuple(places)) for part, places in desk.free.items()),

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 
 from aseme_dsl.records import dataclass
 
-FREE = 1 << 80
+FREE = 1 << 200
 """The bound that is none."""
 
 AT_MOST_0 = 1
@@ -56,6 +56,12 @@ def begun(zone: Zone, clock: int) -> Zone:
     """With a new clock, which shows 0."""
     rows = tuple((*row, row[0]) for row in zone.rows)
     return Zone((*zone.clocks, clock), (*rows, (*zone.rows[0], AT_MOST_0)))
+
+
+def unbounded(zone: Zone, clock: int) -> Zone:
+    """With a new clock, which shows any number, also less than 0."""
+    rows = tuple((*row, FREE) for row in zone.rows)
+    return Zone((*zone.clocks, clock), (*rows, (*(FREE for _ in zone.rows[0]), AT_MOST_0)))
 
 
 def begun_before(zone: Zone, clock: int, least: int, most: int | None) -> Zone:
@@ -122,4 +128,5 @@ __all__ = [
     "less_than",
     "narrowed",
     "shown",
+    "unbounded",
 ]

@@ -9,7 +9,7 @@ from operator import attrgetter
 from types import NoneType
 from typing import get_args, get_origin
 
-from aseme_dsl.runtime.message.as_json import member_types
+from aseme_dsl.runtime.message.as_json import StandIn, member_types
 
 _Reader = Callable[[object, str], object]
 """Gives the value that a field keeps, from what was given and the field's name in errors."""
@@ -88,6 +88,8 @@ def _one_of(kind: type) -> _Reader:
     wanted, bases = _WANTED.get(kind, (f"a {kind.__name__}", ()))
 
     def read(value: object, where: str) -> object:
+        if issubclass(type(value), StandIn):
+            return value
         value = _python(value)
         if isinstance(value, bases) and (kind is bool or not isinstance(value, bool)):
             try:

@@ -9,6 +9,7 @@ from typing import Protocol, cast
 
 from aseme_dsl.proofs.explore.deciding.choosing import Choices
 from aseme_dsl.proofs.explore.deciding.later import Contents, content_of
+from aseme_dsl.proofs.explore.deciding.order import AnyNumber, Order, Some, Unanswerable
 from aseme_dsl.proofs.explore.deciding.outcomes import Outcomes
 from aseme_dsl.proofs.explore.deciding.staging import OPEN, assigned, by_lines, receivers, watched
 from aseme_dsl.proofs.explore.deciding.values import Values
@@ -47,12 +48,14 @@ class Acting:
         outcomes: Outcomes,
         is_asked: Callable[[str], bool],
         kept: frozenset[str],
+        order: Order,
     ) -> None:
         """`is_new` says whether what activities of an agent publish on a channel is there for it whenever it
         looks for it, and for no other agent. `is_asked` says whether anything but activities asks for the
         messages of a channel, and `kept` has the variables that something beside the plans looks at.
         """
         self._is_new = is_new
+        self._order = order
         self._choices = choices
         self._outcomes = outcomes
         self._values = values
@@ -141,14 +144,23 @@ class Acting:
         """What an activity has written to a variable."""
         plan = self._plans[role]
         found = next(item for item in plan.variables if item.name == variable)
-        return self._choices.of(
-            ("variable", agent, variable, self._anew()),
-            self._values.held(found),
-            f"{agent}: {variable.partition('@')[0]} is {{}}",
+        value = self._order.made(
+            self._choices.of(
+                ("variable", agent, variable, self._anew()),
+                self._values.held(found),
+                f"{agent}: {variable.partition('@')[0]} is {{}}",
+            )
         )
+        if found.bounds is not None:
+            self._order.suppose(value, *found.bounds)
+        return value
 
     def draw(self, agent: str) -> float:
-        """A random number: one of a few."""
+        """A random number: one of a few, or any."""
+        if self._values.may_be_any:
+            number = self._order.number(is_whole=False)
+            self._order.suppose(number, 0, 1)
+            return cast("float", number)
         self._values.bounds["random()"] = f"random() in {', '.join(map(str, DRAWN))}"
         return self._choices.of(("random", agent, self._anew()), DRAWN, f"{agent}: random() is {{}}")
 
@@ -188,7 +200,7 @@ class Acting:
                 chosen = self._choices.of(("send", what, part), answers, text)
                 if chosen is not None:
                     with suppress(LookupError):  # it is not sent, and the activity would hear why
-                        execution.do(c.Send(performative, chosen, part))
+                        execution.do(c.Send(performative, self._order.made(chosen), part))
 
     def _read(self, agent: Agent, execution: Execution) -> None:
         """The agent messages that no transition takes are for activities."""
@@ -206,7 +218,8 @@ class Acting:
     def prepared(self, agent: str, message: str) -> object:
         """What an activity has prepared for a message."""
         contents = self._values.contents(message)
-        return self._choices.of(("content", agent, message), contents, f"{agent} has prepared {{}}")
+        text = f"{agent} has prepared {{}}"
+        return self._order.made(self._choices.of(("content", agent, message), contents, text))
 
     def function(self, agent: str, function: Function) -> Called:
         """What is called instead of a function of the document.
@@ -220,6 +233,8 @@ class Acting:
         def call(*arguments: object) -> object:
             if any(content_of(item) is not None for item in arguments):
                 return self._answer(agent, function, *arguments)
+            if any(type(item) is AnyNumber for item in arguments):
+                raise Unanswerable(f"{function[0]} is given a number that may be any")
             return known(*arguments)
 
         return call
@@ -230,7 +245,11 @@ class Acting:
         kinds: Mapping[str, tuple[object, ...]] = {"bool": (False, True)}
         answers = kinds.get(result) or self._values.results(name, result)
         text = f"{name.partition('(')[0]}() is {{}}"
-        return self._outcomes.of(("function", agent, name, repr(arguments)), answers, text)
+        question = "function", agent, name, repr(arguments)
+        answer = self._outcomes.of(question, answers, text)
+        if type(answer) is Some:  # for the same, it is the same number in a move
+            return self._choices.of(("number", *question), (self._order.made(answer),))
+        return self._order.made(answer)
 
 
 class Free(Prepared):

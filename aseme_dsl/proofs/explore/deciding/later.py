@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Hashable, Mapping, Sequence
+from collections.abc import Collection, Container, Hashable, Iterable, Mapping, Sequence
 from dataclasses import field
 from itertools import count
 from typing import cast
 
 from aseme_dsl.proofs.explore.deciding.choosing import Choices
+from aseme_dsl.proofs.explore.deciding.order import AnyNumber, Order
 from aseme_dsl.proofs.explore.deciding.outcomes import Outcomes
 from aseme_dsl.proofs.explore.deciding.unread import Path, Unread, place_of, unread, unread_class
 from aseme_dsl.proofs.explore.deciding.values import Values
@@ -41,8 +42,9 @@ _PLAIN = {
 class Later:
     """Makes contents whose members are decided when they are read."""
 
-    def __init__(self, choices: Choices, values: Values, outcomes: Outcomes) -> None:
+    def __init__(self, choices: Choices, values: Values, outcomes: Outcomes, order: Order) -> None:
         self._outcomes = outcomes
+        self._order = order
         self.forgotten: dict[int, Container[Path]] = {}
         """The contents of which something was forgotten in this move, with what was kept."""
         self._choices = choices
@@ -73,18 +75,30 @@ class Later:
             for key in [key for key in values if key[0] == content.number and key[2] not in kept]:
                 del values[key]
 
-    def keep(self, numbers: Container[int]) -> bool:
-        """Forget what was decided of all contents but these; whether there was anything to forget."""
+    def keep(self, numbers: Collection[int]) -> bool:
+        """Forget what was decided of all contents, and is known of all numbers, but these; whether there was
+        anything to forget."""
         values = self.decided.values
         gone = [key for key in values if key[0] not in numbers]
         for key in gone:
             del values[key]
-        return bool(gone)
+        inside = {value.number for value in values.values() if type(value) is AnyNumber}
+        return self._order.keep({*numbers, *inside}) or bool(gone)
 
-    def said(self, number: int) -> str:
-        """What has been decided of a content."""
+    def said(self, numbers: Iterable[int]) -> str:
+        """What has been decided of contents, and is known of numbers that may be any (below 0), by their
+        places."""
+        places = {number: place for place, number in enumerate(numbers)}
         values = self.decided.values
-        return repr(sorted((path, value) for (other, _, path), value in values.items() if other == number))
+        found: list[object] = []
+        for number in [*places]:
+            own = sorted((path, kind) for other, kind, path in values if other == number)
+            for path, kind in own:
+                value = values[number, kind, path]
+                if type(value) is AnyNumber:
+                    value = places.setdefault(value.number, len(places)), value.offset
+                found.append((places[number], path, value))
+        return f"{found} {self._order.shown([number for number in places if number < 0])}"
 
     def decide(self, content: _Content, path: Path) -> object:
         """What a member holds."""
@@ -98,7 +112,7 @@ class Later:
             text = f"{content.name}.{'.'.join(path)} is {{}}"
             if content.is_brief and len(answers) > 1 and self._alike[key[1:]] is None:
                 return self._outcomes.of(("member", *key), answers, text)
-            values[key] = self._choices.of(("member", *key), answers, text)
+            values[key] = self._order.made(self._choices.of(("member", *key), answers, text))
         return values[key]
 
     def settle(self) -> None:
@@ -177,11 +191,13 @@ class Contents:
         later: Later,
         messages: Mapping[str, type[object]],
         told: frozenset[str],
+        order: Order,
     ) -> None:
         """Of the types `told`, contents are decided when they are made: properties ask for them."""
         self._choices = choices
         self._values = values
         self._later = later
+        self._order = order
         self._messages = messages
         self._told = told
 
@@ -199,7 +215,7 @@ class Contents:
         `is_brief`: mostly, it may be another one at the next look."""
         tried = None if message in self._told else self._values.tried(message)
         if tried is None:
-            return self._choices.of(question, self._values.contents(message), text)
+            return self._order.made(self._choices.of(question, self._values.contents(message), text))
         if fixed:
             tried = {path: (fixed[path],) if path in fixed else some for path, some in tried.items()}
         return self._later.content(self._messages[message], tried, name, is_brief)

@@ -15,6 +15,7 @@ from types import NoneType, UnionType
 from typing import Union, cast, get_args, get_origin
 
 from aseme_dsl.amola.expression import COMPARE, TURNED
+from aseme_dsl.proofs.explore.deciding.order import REAL, WHOLE, Some
 from aseme_dsl.proofs.explore.deciding.staging import by_lines_of
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.functions import is_of_library
@@ -74,9 +75,13 @@ class Values:
         fixed: Mapping[Place, frozenset[object]] | None = None,
         is_few: bool = False,
         conditions: Sequence[Condition] = (),
+        numbers: Sequence[float] | None = (),
     ) -> None:
         """`types` are the classes of messages and enums by name. What may stand at the places in `fixed` is
-        known. `is_few`: as few values as possible are tried. Others than the plans ask for `conditions`."""
+        known. `is_few`: as few values as possible are tried. Others than the plans ask for `conditions`.
+        Where a few numbers do not stand for all, these `numbers` are tried, too; None: there is one that may
+        be any."""
+        self._numbers = numbers
         self.fixed: Mapping[Place, frozenset[object]] = {} if fixed is None else fixed
         self._is_few = is_few
         self._enums = enums_of(types)
@@ -101,6 +106,11 @@ class Values:
             }
         self.computes = any(item.is_computed for item in self._classes.values())
         """Whether the program computes with numbers that something depends on."""
+
+    @property
+    def may_be_any(self) -> bool:
+        """Whether there are numbers that may be any."""
+        return self._numbers is None
 
     # ---- what is asked -----------------------------------------------------------------------
 
@@ -127,6 +137,8 @@ class Values:
         """What a variable holds when an activity may have written it: what it holds at first, or one of what
         is tried that is within its bounds."""
         tried = self.of_variable(variable)
+        if any(isinstance(item, Some) for item in tried):
+            return tried
         if tried and variable.bounds is not None and variable.type == "double":
             tried = (*tried, *map(float, variable.bounds))  # what is between may be beyond these
         initial = variable.initial
@@ -204,7 +216,10 @@ class Values:
 
     def _tried(self, kind: object, known: _Class) -> Tried:
         found = _few(kind, known) if self._is_few else None
-        return _values(kind, known, self._agents) if found is None else found
+        found = _values(kind, known, self._agents) if found is None else found
+        if found.is_all:
+            return found
+        return _any(kind, found) if self._numbers is None else _with(kind, found, self._numbers)
 
     # ---- what is learned ---------------------------------------------------------------------
 
@@ -485,6 +500,24 @@ def _values(kind: object, known: _Class, agents: Sequence[str]) -> Tried:
         there = _values(next(arm for arm in get_args(kind) if arm is not NoneType), known, agents)
         return Tried((None, *there.values), there.is_all)
     return Tried((_default(kind),), is_all=False)
+
+
+def _any(kind: object, found: Tried) -> Tried:
+    """A number that may be any instead of a few of which there are more."""
+    if kind is int or kind is float:
+        return Tried((WHOLE if kind is int else REAL,), is_all=True)
+    if get_origin(kind) in (Union, UnionType):
+        there = _any(next(arm for arm in get_args(kind) if arm is not NoneType), found)
+        return Tried((None, *there.values), is_all=True) if there.is_all else found
+    return found
+
+
+def _with(kind: object, found: Tried, further: Sequence[float]) -> Tried:
+    """Further numbers beside a few."""
+    if not further or (kind is not int and kind is not float):
+        return found
+    numbers = [kind(item) for item in further if kind is float or item.is_integer()]
+    return Tried(tuple(dict.fromkeys((*found.values, *numbers))), is_all=False)
 
 
 def _few(kind: object, known: _Class) -> Tried | None:
