@@ -3,6 +3,9 @@
 A second opinion about the same plans that run and that are explored: each agent is a process. Its activities
 end at any time, messages take any time and arrive in the order of their sender, deadlines pass at any time.
 What a model cannot say is refused with its place.
+
+A part that ends although it has asked another agent, and has taken no answer, sends what the protocol has for
+that: agents do so by themselves (`runtime/conversation/losses.py`).
 """
 
 from __future__ import annotations
@@ -12,6 +15,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from aseme_dsl.play.scenario import Condition, Expectation, InPlaces
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import BranchInfo, Plan, State, Transition, is_in
+from aseme_dsl.runtime.conversation.losses import ASKING, FAREWELLS
+from aseme_dsl.runtime.message.acl import NOT_UNDERSTOOD
 from aseme_dsl.runtime.monitor.rules import Before, LeadsTo, Never
 
 _ROOM = 8
@@ -101,6 +106,10 @@ class _Model:
                 raise NotSaid("a participant that several agents play", at)
         if info.loses or info.counts or info.busy:
             raise NotSaid("what is said of lost agents, answers or busy participants", at)
+        if any(performative == NOT_UNDERSTOOD for performative, _ in info.receives):
+            raise NotSaid(f"the answer {NOT_UNDERSTOOD}, which agents give by themselves", at)
+        if _is_played_again(plan, info.label):
+            raise NotSaid("a participant that its agent plays again", at)
         for *_, repeatedly in info.moves:
             if repeatedly:
                 raise NotSaid("a message that an activity sends repeatedly", at)
@@ -121,6 +130,12 @@ class _Model:
 
     def _mail(self, agent: str, message: _Message, sender: str) -> str:
         return f"{agent}_has_{message.name}_of_{sender}"
+
+    def _asked(self, agent: str, other: str) -> str:
+        return f"{agent}_has_asked_{other}"
+
+    def _heard(self, agent: str, other: str) -> str:
+        return f"{agent}_was_answered_by_{other}"
 
     def _channel(self, sender: str, receiver: str) -> str:
         return f"from_{sender}_to_{receiver}"
@@ -173,6 +188,28 @@ class _Model:
                     yield f"byte {self._mail(agent, message, other)}"
         for number, *_ in self._said(agent):
             yield f"bool {agent}_sent_{number}"
+
+        for other in self._parted(agent):
+            yield f"bool {self._asked(agent, other)}, {self._heard(agent, other)}"
+
+    def _parted(self, agent: str) -> dict[str, _Message]:
+        """To whom the part of an agent, if it ends without an answer, sends which message."""
+        info = self._branch(agent)
+        asks = any(performative in ASKING for performative, _ in info.sends)
+        found: dict[str, _Message] = {}
+        for other in self._team if asks and info.receives else ():
+            theirs = self._branch(other).receives
+            moves = [move for act in FAREWELLS for move in info.sends if move[0] == act and move in theirs]
+            if other != agent and moves:
+                found[other] = _Message(*moves[0])
+        return found
+
+    def _tells(self, agent: str, other: str, message: _Message) -> str:
+        """A message is sent; the last one that asks is to be answered."""
+        said = f"{self._channel(agent, other)}!{message.name}"
+        if other not in self._parted(agent):
+            return said
+        return f"{said}; {self._asked(agent, other)} = {str(message.performative in ASKING).lower()}"
 
     def _start(self, plan: Plan, label: str) -> State:
         return next(state for state in plan.children(label) if state.type == "START")
@@ -244,7 +281,7 @@ class _Model:
                     here = f"{agent}_at == {self._leaf(agent, state)} && !{agent}_done"
                     yield (
                         f"    :: atomic {{ {here} && {agent}_joined && !{agent}_sent_{number}"
-                        f" -> {agent}_sent_{number} = true; {self._channel(agent, other)}!{message.name} }}"
+                        f" -> {agent}_sent_{number} = true; {self._tells(agent, other, message)} }}"
                     )
         for source, transitions in self._timed(plan).items():
             if len({term[1] for item in transitions for term in item.events if term[0] == "after"}) > 1:
@@ -397,6 +434,8 @@ class _Model:
             message = _Message(str(event[1]), str(event[2]))
             other = next(name for name, own in self._part_of.items() if own == event[3] and name != agent)
             done.append(f"{self._mail(agent, message, other)}--")
+            if other in self._parted(agent):
+                done.append(f"{self._heard(agent, other)} = true")
         for action in item.actions:
             done += self._action(agent, action, item)
         target = plan.by_label[item.target]
@@ -409,6 +448,10 @@ class _Model:
             done += [f"{agent}_sent_{number} = false" for number, *_ in self._said(agent)]
         if item.source == self._branch(agent).label:
             done.append(f"{agent}_over = true")
+            for other, message in self._parted(agent).items():
+                waits = f"{self._asked(agent, other)} && !{self._heard(agent, other)} && !{other}_over"
+                said = f"{self._channel(agent, other)}!{message.name}"
+                done.append(f"if :: {waits} -> {said} :: else fi")
         return "; ".join(done)
 
     def _action(self, agent: str, action: tuple[object, ...], item: Transition) -> Iterator[str]:
@@ -418,7 +461,7 @@ class _Model:
                 yield f"{agent}_joined = true"
                 for other, own in self._part_of.items():
                     if own == part and other != agent:
-                        yield f"{self._channel(agent, other)}!{message.name}"
+                        yield self._tells(agent, other, message)
             case ("assign", str() as name, ("const", bool() | int() as value)):
                 yield f"{self._variable(agent, name)} = {int(value)}"
             case _:
@@ -469,6 +512,24 @@ class _Model:
         ]
         least = condition.least if isinstance(condition, InPlaces) else 1
         return " || ".join(inside) if least == 1 else f"({' + '.join(inside)}) >= {least}"
+
+
+def _is_played_again(plan: Plan, branch: str) -> bool:
+    """Whether a branch may be entered after it was left."""
+    todo = [item.target for item in plan.transitions if is_in(branch, item.source)]
+    reached: set[str] = set()
+    while todo:
+        label = todo.pop()
+        if is_in(branch, label):
+            return True
+        if label not in reached:
+            reached.add(label)
+            todo += [
+                item.target
+                for item in plan.transitions
+                if is_in(item.source, label) or is_in(label, item.source)
+            ]
+    return False
 
 
 def _order(item: Transition) -> tuple[bool, bool, int]:

@@ -63,6 +63,12 @@ def test_a_protocol_becomes_processes_and_its_clause_a_formula(tmp_path: Path) -
 SEVERAL = BUY.replace("participant seller {", "participant seller [1..*] {")
 TIMER = BUY.replace("else / send", "else / start_timer(t, 1s); send")
 NUMBER = BUY.replace("var there : bool = false", "var there : int").replace("[there]", "[there > 1]")
+AGAIN = """
+srm Buyer  { plays buy.buyer   liveness { Buyer = (buyer . Rest)~ } }
+srm Seller { plays buy.seller  liveness { Seller = seller } }
+team Market { b : Buyer  s : Seller }
+"""
+MISUNDERSTOOD = BUY.replace("receives inform Price", "receives not_understood Order, inform Price")
 IN_TIME = "every Look@seller leads to Close@seller within 3s"
 
 
@@ -74,6 +80,8 @@ IN_TIME = "every Look@seller leads to Close@seller within 3s"
         (SEVERAL, "several agents play", "a.aseme:4:"),
         (TIMER, "the action start_timer", "a.aseme:25:"),
         (NUMBER, "this condition", "a.aseme:24:"),
+        (BUY + AGAIN, "that its agent plays again", "a.aseme:29:52"),
+        (MISUNDERSTOOD, "the answer not_understood", "a.aseme:4:5"),
         (BUY.replace("clause Look", f"clause {IN_TIME}\n  clause Look"), "of this kind", "a.aseme:16:"),
     ],
 )
@@ -94,6 +102,45 @@ def test_spin_proves_a_clause_and_refutes_a_broken_one(tmp_path: Path) -> None:
         tmp_path, BUY.replace("Look@seller before Pay@buyer", "Pay@buyer before Look@seller"), "--force"
     )
     assert _spin(tmp_path / "out/buy.pml", "-a") is True
+
+
+UNANSWERED = """\
+system Parting
+message Word { int n }
+aip talk {
+  participant alice {
+    sends    propose Word, refuse Word by Thank
+    receives agree Word
+    process  = Ask . [Thank]
+  }
+  participant bob {
+    sends    agree Word by Part
+    receives propose Word, refuse Word
+    process  = Listen . Part
+  }
+  control alice {
+    enter Ask    : / send propose Word { n = 1 } to bob
+    enter Thank  : agree Word from bob
+    skip Thank   : after(5s)
+  }
+  control bob {
+    enter Listen : propose Word from alice
+    enter Part   : refuse Word from alice
+  }
+}
+"""
+
+
+@needs_spin
+@pytest.mark.parametrize("answers", ["Part", "Listen"])
+def test_a_part_that_ends_without_an_answer_says_so(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], answers: str
+) -> None:
+    """Agents send by themselves what the protocol has for that; after an answer they do not."""
+    _exported(tmp_path, UNANSWERED.replace("by Part", f"by {answers}"))
+    assert _spin(tmp_path / "out/talk.pml") is (answers == "Listen")
+    main(["prove", str(tmp_path / "a.aseme"), "deadlock"])
+    assert ("REFUTED" if answers == "Listen" else "PROVED") in capsys.readouterr().out
 
 
 @needs_spin
