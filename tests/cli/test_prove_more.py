@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
+import pytest
+
 from tests.cli.test_prove import verdicts
 
 ROBOT = """\
@@ -336,3 +340,32 @@ team T { bob : robot }
 property "it is mine" { never bob in Another }
 """
     assert prove(text, "it is mine").code == 1
+
+
+@pytest.mark.parametrize(
+    ("asked", "state", "said"),
+    [
+        ("t.state.Note.on && t.state.Note.x > 7", "A", "Note.x is 8"),
+        ("t.state.Note.on && t.state.Note.x > 7", "B", ""),
+        ("seen(t.state.Note)", "A", "seen() is True"),
+    ],
+)
+def test_a_run_with_a_message_that_may_have_come_plays(  # type: ignore[no-untyped-def]
+    prove, folder: Path, asked: str, state: str, said: str
+) -> None:
+    (folder / "nowhere.py").write_text("def seen(note: object) -> bool:\n    return False\n")
+    text = f"""\
+system Watch
+message Note {{ int x  bool on }}
+topic t {{ state Note }}
+function seen(Note note) : bool = "nowhere:seen"
+srm watcher {{
+  liveness {{ watcher = Idle . (A | B) }}
+  control watcher {{ enter A : [{asked}]  enter B : else }}
+}}
+team T {{ one : watcher }}
+property "never there" {{ never one in {state} }}
+"""
+    (item,) = prove(text, "never there", "--json").json["results"]
+    assert item["verdict"] == "REFUTED", item  # the run has been played
+    assert said in str(item["counterexample"])

@@ -2,17 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from functools import cached_property
 
 from aseme_dsl.proofs.explore.alone import Alone
 from aseme_dsl.proofs.explore.deciding.choosing import Choices
-from aseme_dsl.proofs.explore.deciding.later import Contents, Later
+from aseme_dsl.proofs.explore.deciding.later import Content, Contents, Later, content_of
 from aseme_dsl.proofs.explore.deciding.staging import by_lines_of, copied
 from aseme_dsl.proofs.explore.needed import Needed
 from aseme_dsl.proofs.explore.surroundings import NOW
 from aseme_dsl.runtime.agent.agent import Agent
 from aseme_dsl.runtime.channel.bus import Bus
+from aseme_dsl.runtime.chart.board import Board
 from aseme_dsl.runtime.chart.inputs import Sample
 
 
@@ -35,6 +36,7 @@ class Coming:
         is_asked: Callable[[str], bool],
         has: Mapping[str, Mapping[str, Mapping[tuple[str, ...], object]]],
         alone: Alone | None = None,
+        is_timed: bool = False,
     ) -> None:
         """Modules publish on the channels `of_modules`. Of messages of the types `told`, something else asks
         what they say, or when they come; `is_asked` says whether anything but activities asks for those of a
@@ -50,6 +52,7 @@ class Coming:
         self._is_asked = is_asked
         self._has = has
         self._alone = alone
+        self._is_timed = is_timed
         self.needed: Needed | None = None
         """The regions that matter, if not all do."""
         self._may_come: dict[str, set[str]] = {}
@@ -117,6 +120,57 @@ class Coming:
             }
             for agent in self._agents
         }
+
+    @cached_property
+    def standing(self) -> Mapping[str, frozenset[str]]:
+        """The channels of `brief`, by agent, for which a message that may say anything stands while one may
+        come: whether one has come makes no difference.
+
+        That is so where nothing can tell absence (see `absence`). A channel is looked at by its newest
+        message of all senders alone.
+        """
+        return {agent.name: frozenset(self._standing(agent)) for agent in self._agents}
+
+    def _standing(self, agent: Agent) -> Iterator[str]:
+        if self._alone is not None or self._is_timed:
+            return
+        for channel in self.brief[agent.name]:
+            if (
+                channel.split(".", 2)[1] == "state"
+                and channel not in self._has[agent.name]
+                and not self._contents.tells_absence(agent.plan, channel)
+            ):
+                yield channel
+
+    def stands(self, agent: Agent, channel: str) -> bool:
+        """Whether a message that may say anything is there on a channel, as one may come now."""
+        if channel not in self.standing[agent.name] or not self.may_come(agent, channel):
+            return False
+        found = [board.newest(channel) for board in _boards(agent, channel)]
+        return bool(found) and all(item is not None and item.time == NOW for item in found)
+
+    def standing_now(self) -> Iterator[tuple[str, str, Content]]:
+        """The messages that stand now: the agents, the channels and the contents."""
+        for agent in self._agents:
+            for channel in self.standing[agent.name]:
+                for board in _boards(agent, channel):
+                    item = board.newest(channel)
+                    content = None if item is None else content_of(item.message)
+                    if content is not None:
+                        yield agent.name, channel, content
+
+    def _stand(self, agent: Agent) -> None:
+        """Let a message stand for what may have come, or not."""
+        for channel in self.standing[agent.name]:
+            boards = _boards(agent, channel)
+            if not self.may_come(agent, channel) or any(board.newest(channel) for board in boards):
+                continue
+            is_own = bool(self.brief[agent.name][channel])
+            content = self._contents.standing(agent.name, channel)
+            identity = agent.identity() if is_own else self._bus.outside()
+            item = Sample(channel, content, agent.name if is_own else "input", NOW, identity)
+            for board in boards:
+                board.put(item, NOW)
 
     def _is_brief(self, channel: str) -> bool:
         _, kind, message = channel.split(".", 2)
@@ -221,6 +275,8 @@ class Coming:
                 item = None if board is None else board.newest(channel)
                 if item is not None and item.time == NOW:
                     self._later.forget(item.message)
+        if agent.chart.started and not (agent.over or agent.down):
+            self._stand(agent)
 
     def _drop(self, agent: Agent) -> None:
         """What came to an agent alone may be there, or not, whenever it looks for it."""
@@ -265,6 +321,13 @@ class Coming:
         message = channel.rpartition(".")[2]
         fixed = self._has[agent.name].get(channel, {})
         return self._contents.new(message, ("input",), "{}", f"{agent.name}: {message}", fixed)
+
+
+def _boards(agent: Agent, channel: str) -> list[Board]:
+    """The blackboards of active regions on which the messages of a channel stand."""
+    boards = agent.chart.boards()
+    found = (boards[number] for number in agent.chart.READERS[channel])
+    return [board for board in found if board is not None]
 
 
 __all__ = ["Coming"]

@@ -189,6 +189,7 @@ class Explored:
         self._acting = acting = Acting(
             *(self.choices, self.values, contents, plans, self._is_new, self._outcomes, is_asked, kept),
             self.order,
+            self._stands,
         )
         acting.publishes = alone is None
         charts = {
@@ -225,6 +226,7 @@ class Explored:
             is_asked,
             has,
             alone,
+            with_times,
         )
         self._events = {plan.name: events(plan) for plan in plans}
         self._ages = {plan.name: thresholds_of(plan)[0] for plan in plans}
@@ -518,6 +520,9 @@ class Explored:
 
     def _is_new(self, agent: Agent, channel: str) -> bool:
         return self.coming.is_new(agent, channel)
+
+    def _stands(self, agent: Agent, channel: str) -> bool:
+        return self.coming.stands(agent, channel)
 
     def moves(self) -> Iterator[Move]:
         """What may happen next."""

@@ -157,6 +157,8 @@ class _Retrace:
         self._happenings: list[list[Happening]] = []
         self._contents: dict[int, Content] = {}
         self._forgotten: set[int] = set()
+        self._standing: dict[str, int] = {}
+        """Messages that may have come, or not, by how they are called when functions are given them."""
         self._places: dict[int, tuple[str, str, str | None]] = {}
         """Where contents came to that may come again: the agent, the channel and the sender."""
         self._wrote: dict[tuple[str, str], Acts] = {}
@@ -181,6 +183,7 @@ class _Retrace:
             for number, step in enumerate(steps, 1):
                 self._step = number
                 self._happenings.append([])
+                self._note_standing()
                 moves = list(explored.moves())
                 move = moves[step.number]
                 self._kind = move.kind
@@ -318,9 +321,10 @@ class _Retrace:
                         acts.takes.append((performative, message))
                 case ("content", str() as agent, _):
                     self._prepare(agent, Content("", whole=value))
-                case ("function", str() as agent, str() as name, _):
+                case ("function", str() as agent, str() as name, str() as arguments):
                     if given.setdefault((agent, name), value) != value:
                         raise NotRetraced(f"{name} gives two values at one moment")
+                    self._stands(arguments)
                     self._put_before(Gives(agent, name.partition("(")[0], value))
                 case ("split", _):
                     pass  # what it stands for is heard, too
@@ -360,6 +364,21 @@ class _Retrace:
         if number not in self._contents:
             raise NotRetraced(f"a {kind} was decided before the run began")
         return self._contents[number]
+
+    def _note_standing(self) -> None:
+        """Messages stand for what may have come: they come when something is decided of them."""
+        for agent, channel, content in self._explored.coming.standing_now():
+            if content.number not in self._places:
+                sender = agent if self._explored.coming.brief[agent][channel] else None
+                self._places[content.number] = agent, channel, sender
+                self._standing[f"{content.kind.__name__} {content.number} ("] = content.number
+                self._forgotten.add(content.number)
+
+    def _stands(self, arguments: str) -> None:
+        """What a function is given has come, even if nothing has asked for a member of it."""
+        for text, number in self._standing.items():
+            if text in arguments and number not in self._contents:
+                self._content(number, text.split()[0])
 
     def _set(self, agent: str, name: str, value: object) -> None:
         acts = self._wrote.get((agent, name))

@@ -49,13 +49,17 @@ class Acting:
         is_asked: Callable[[str], bool],
         kept: frozenset[str],
         order: Order,
+        stands: Callable[[Agent, str], bool],
     ) -> None:
         """`is_new` says whether what activities of an agent publish on a channel is there for it whenever it
-        looks for it, and for no other agent. `is_asked` says whether anything but activities asks for the
-        messages of a channel, and `kept` has the variables that something beside the plans looks at.
+        looks for it, and for no other agent. `stands` says whether a message that may say anything is there
+        for an agent on a channel: then another one makes no difference. `is_asked` says whether anything but
+        activities asks for the messages of a channel, and `kept` has the variables that something beside the
+        plans looks at.
         """
         self._is_new = is_new
         self._order = order
+        self._stands = stands
         self._choices = choices
         self._outcomes = outcomes
         self._values = values
@@ -123,7 +127,7 @@ class Acting:
         info = execution.info
         self._read(agent, execution)
         for channel in info.writes:
-            if is_end or not self._is_new(agent, channel):
+            if (is_end or not self._is_new(agent, channel)) and not self._stands(agent, channel):
                 self._publish(agent, execution, channel)
         if execution.branch is not None:
             self._send(agent, execution, execution.branch)

@@ -7,12 +7,14 @@ from dataclasses import field
 from itertools import count
 from typing import cast
 
+from aseme_dsl.proofs.explore.deciding.absence import tells_absence
 from aseme_dsl.proofs.explore.deciding.choosing import Choices
 from aseme_dsl.proofs.explore.deciding.order import AnyNumber, Order
 from aseme_dsl.proofs.explore.deciding.outcomes import Outcomes
 from aseme_dsl.proofs.explore.deciding.unread import Path, Unread, place_of, unread, unread_class
 from aseme_dsl.proofs.explore.deciding.values import Values
 from aseme_dsl.records import dataclass
+from aseme_dsl.runtime.chart.plan import Plan
 
 
 @dataclass(slots=True)
@@ -26,7 +28,7 @@ class Decided:
 
 def _named(message: object) -> str:
     content, path = place_of(message)
-    assert isinstance(content, _Content)
+    assert isinstance(content, Content)
     return f"{content.kind.__name__} {content.number} {path}"
 
 
@@ -63,7 +65,12 @@ class Later:
         another one at the next look."""
         self.decided.made += 1
         self._choices.note(("made", self.decided.made, kind.__name__))
-        return self._open(kind, _Content(self.decided.made, kind, tried, name, is_brief), ())
+        return self._open(kind, Content(self.decided.made, kind, tried, name, is_brief), ())
+
+    def standing(self, kind: type[object], tried: Mapping[Path, Sequence[object]], name: str) -> object:
+        """A message of which nothing is known, not even whether it has come."""
+        self.decided.made += 1
+        return self._open(kind, Content(self.decided.made, kind, tried, name, True), ())
 
     def forget(self, message: object, kept: Container[Path] = ()) -> None:
         """What was decided of a message may be otherwise from now on, but for the members in `kept`."""
@@ -100,7 +107,7 @@ class Later:
                 found.append((places[number], path, value))
         return f"{found} {self._order.shown([number for number in places if number < 0])}"
 
-    def decide(self, content: _Content, path: Path) -> object:
+    def decide(self, content: Content, path: Path) -> object:
         """What a member holds."""
         key = content.number, content.kind.__name__, path
         values = self.decided.values
@@ -130,7 +137,7 @@ class Later:
                 _, *key = cast("tuple[str, int, str, Path]", question)
                 self.decided.values[cast("tuple[int, str, Path]", tuple(key))] = answer
 
-    def _answers(self, content: _Content, path: Path) -> Sequence[object]:
+    def _answers(self, content: Content, path: Path) -> Sequence[object]:
         """What a member may hold; of numbers that are only compared with each other those that there are, and
         another one."""
         key = content.kind.__name__, path
@@ -149,14 +156,14 @@ class Later:
         }
         return (*sorted(there), next(number for number in count(1) if number not in there))
 
-    def _open(self, kind: type[object], content: _Content, at: Path) -> object:
+    def _open(self, kind: type[object], content: Content, at: Path) -> object:
         opened = self._kinds.get(kind)
         if opened is None:
             opened = self._kinds[kind] = unread_class(kind, self._member, _PLAIN)
         return unread(opened, content, at)
 
     def _member(self, content: object, path: Path, hint: object) -> object:
-        assert isinstance(content, _Content)
+        assert isinstance(content, Content)
         if path in content.tried:
             return self.decide(content, path)
         if any(other[: len(path)] == path for other in content.tried):
@@ -165,7 +172,7 @@ class Later:
 
 
 @dataclass(frozen=True, slots=True)
-class _Content:
+class Content:
     """The content of one message: its number, its type, and what is tried for its members."""
 
     number: int
@@ -175,10 +182,10 @@ class _Content:
     is_brief: bool
 
 
-def content_of(message: object) -> _Content | None:
+def content_of(message: object) -> Content | None:
     """The content of a message of which members are decided later; None for any other."""
     root = place_of(message)[0] if isinstance(message, Unread) else None
-    return root if isinstance(root, _Content) else None
+    return root if isinstance(root, Content) else None
 
 
 class Contents:
@@ -201,6 +208,22 @@ class Contents:
         self._messages = messages
         self._told = told
 
+    def standing(self, agent: str, channel: str) -> object:
+        """What may have come to an agent on a channel, or not."""
+        message = channel.rpartition(".")[2]
+        tried = self._values.tried(message)
+        assert tried is not None
+        return self._later.standing(self._messages[message], tried, f"{agent}: {message}")
+
+    def tells_absence(self, plan: Plan, channel: str) -> bool:
+        """Whether something can tell that no message has come on a channel from one that may say anything."""
+        message = channel.rpartition(".")[2]
+        return (
+            message in self._told
+            or self._values.tried(message) is None
+            or tells_absence(plan, channel, self._values)
+        )
+
     def new(
         self,
         message: str,
@@ -221,4 +244,4 @@ class Contents:
         return self._later.content(self._messages[message], tried, name, is_brief)
 
 
-__all__ = ["Contents", "Decided", "Later", "content_of"]
+__all__ = ["Content", "Contents", "Decided", "Later", "content_of"]
