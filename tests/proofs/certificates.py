@@ -85,7 +85,7 @@ def section(case: Case) -> str:
     lines = [f"### {case.title}", ""]
     of = ""
     for item in answers(case):
-        bounds = re.sub(r"[0-9]+ states$", "", item.bounds.text).rstrip("; ")
+        bounds = replace(item.bounds, states=None).text
         if of != f"{item.of}: `{bounds}`":
             of = f"{item.of}: `{bounds}`"
             lines += ["" if lines[-1] else None, f"{of[0].upper()}{of[1:]}", ""]  # type: ignore[list-item]

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import replace
-from functools import cached_property
+from functools import cached_property, partial
 
 from aseme_dsl.amola.aip import Aip
 from aseme_dsl.amola.system import System
@@ -25,7 +25,7 @@ from aseme_dsl.project.proving.watched import (
 )
 from aseme_dsl.proofs.explore.explored import Assumed, Explored
 from aseme_dsl.proofs.explore.questions import Stuck, Untouched, around, stuck, unmet, untouched
-from aseme_dsl.proofs.explore.search import Graph, Limits, Step, never_untaken
+from aseme_dsl.proofs.explore.search import ENOUGH, Graph, Limits, Step, never_untaken
 from aseme_dsl.proofs.timed.schedule import moments
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan, State, Transition
@@ -132,6 +132,8 @@ class Judge:
         loaded: Loaded,
         times: Times | None = None,
     ) -> None:
+        self.parts: Sequence[Judge] = ()
+        """What was found in searches in which only some agents move: single runs of these count, too."""
         self._loaded = loaded
         self._scope = scope
         self._explored = explored
@@ -146,15 +148,14 @@ class Judge:
     def results(self) -> Iterator[Result]:
         """All answers: what the document says, then what is asked of every team."""
         yield from self.expected()
-        found = stuck(self._explored, self._graph)
-        yield self._deadlock(found)
+        yield self._deadlock()
         if any(agent.plan.branches for agent in self._explored.agents):
-            due = next((item for item in self._untouched if item.is_due), None)
-            yield self._seen("orphan messages", "orphan", ever=due)
-            yield self._choice(found)
-            yield from self._agreement()
+            yield self._answer(Judge._orphans)
+            yield self._answer(Judge._choice)
+            if self._protocol is not None:
+                yield self._answer(Judge._agreement)
         yield self._dead()
-        yield self._seen("failures", "failure", "circling")
+        yield self._answer(Judge._failures)
 
     @property
     def is_of_few(self) -> bool:
@@ -177,7 +178,30 @@ class Judge:
         """The answers about what the document says."""
         if self._watch is not None:
             for number, item in enumerate(self._watch.observer.script.expectations):
-                yield self._expectation(number, item)
+                yield self._answer(partial(Judge._expectation, number=number, item=item))
+
+    def _answer(self, asked: Callable[[Judge], Result]) -> Result:
+        """The answer to a question; where it is not decided, a run counts in which only some agents move."""
+        found = asked(self)
+        if found.verdict is Verdict.UNDECIDED:
+            answers = (replace(asked(part), bounds=found.bounds) for part in self.parts)
+            found = next((item for item in answers if item.verdict is Verdict.REFUTED), found)
+        return found
+
+    @property
+    def is_open(self) -> bool:
+        """Whether the limits have ended the search."""
+        return self._graph.cut not in (None, ENOUGH)
+
+    @property
+    def has_all(self) -> bool:
+        """Whether the search ended since all that was asked for is refuted."""
+        return self._graph.cut == ENOUGH
+
+    @property
+    def _sees_all(self) -> bool:
+        """Whether all continuations are looked at: others may end a wait that the agents here do not end."""
+        return not self._explored.still
 
     # ---- what the document says --------------------------------------------------------------
 
@@ -190,7 +214,7 @@ class Judge:
             if self._times is not None:
                 return self._at(name, steps, item)
             return self._refuted(name, "", steps, item)
-        found = unmet(graph, number) if self._times is None else None
+        found = unmet(graph, number) if self._times is None and self._sees_all else None
         if found is not None:
             state, circle = found
             reason = "what is awaited never comes" if not circle else "what is awaited may never come"
@@ -232,7 +256,11 @@ class Judge:
 
     @cached_property
     def _untouched(self) -> tuple[Untouched, ...]:
-        return tuple(untouched(self._explored, self._graph))
+        return tuple(untouched(self._explored, self._graph)) if self._sees_all else ()
+
+    @cached_property
+    def _stuck(self) -> Stuck | None:
+        return stuck(self._explored, self._graph) if self._sees_all else None
 
     def failures(self) -> Result:
         """The answer about failures, of a search with times."""
@@ -259,8 +287,16 @@ class Judge:
 
     # ---- what is asked of every team ---------------------------------------------------------
 
-    def _choice(self, found: Stuck | None) -> Result:
+    def _orphans(self) -> Result:
+        due = next((item for item in self._untouched if item.is_due), None)
+        return self._seen("orphan messages", "orphan", ever=due)
+
+    def _failures(self) -> Result:
+        return self._seen("failures", "failure", "circling")
+
+    def _choice(self) -> Result:
         """Two agents that send past each other: neither takes what the other has sent."""
+        found = self._stuck
         if found is None or found.past is None:
             past = next((item for item in self._untouched if item.is_past), None)
             why = "" if past is None else f"{past.text}, and both have sent past each other"
@@ -269,7 +305,8 @@ class Judge:
         steps = self._graph.way_to(found.state)
         return self._refuted("non-local choice", reason, steps, further=_LONG, expects=[self._waits(found)])
 
-    def _deadlock(self, found: Stuck | None) -> Result:
+    def _deadlock(self) -> Result:
+        found = self._stuck
         if found is None:
             return self._unbroken("deadlock", is_built_in=True)
         waiting = found.waiting
@@ -300,21 +337,24 @@ class Judge:
             )
         return self._unbroken(name, is_built_in=True)
 
-    def _agreement(self) -> Iterator[Result]:
-        """Two outcomes of one protocol never come together."""
+    @cached_property
+    def _protocol(self) -> Aip | None:
+        """The protocol that is explored alone, if it has outcomes that may disagree."""
         aip = next((item for item in self._system.aips if item.name == self._scope.protocol), None)
-        if aip is None or sum(bool(item.when) for item in aip.outcomes) < 2:
-            return
-        reached = _Outcomes(aip, self._explored, self._graph)
+        return None if aip is None or sum(bool(item.when) for item in aip.outcomes) < 2 else aip
+
+    def _agreement(self) -> Result:
+        """Two outcomes of one protocol never come together."""
+        assert self._protocol is not None
+        reached = _Outcomes(self._protocol, self._explored, self._graph)
         steps = reached.disagreement()
         if steps is None:
-            yield self._unbroken("agreement", is_built_in=True)
-        else:
-            yield self._refuted("agreement", reached.text, steps, expects=reached.expects)
+            return self._unbroken("agreement", is_built_in=True)
+        return self._refuted("agreement", reached.text, steps, expects=reached.expects)
 
     @property
     def reached(self) -> Reached:
-        """What the team has reached."""
+        """What the team has reached, also where only some of its agents move."""
         graph = self._graph
         why = self._incomplete()
         if not why and self._explored.values.computes:
@@ -322,7 +362,12 @@ class Judge:
         if not why and graph.is_queue_cut:
             why = "more messages may be on their way than are looked at"
         plans = {agent.role: agent.plan for agent in self._explored.agents}
-        return Reached(plans, graph.visited, graph.taken, why)
+        graphs = [graph, *(part._graph for part in self.parts)]
+        visited = {
+            role: frozenset().union(*(item.visited.get(role, ()) for item in graphs)) for role in plans
+        }
+        taken = {role: frozenset().union(*(item.taken.get(role, ()) for item in graphs)) for role in plans}
+        return Reached(plans, visited, taken, why)
 
     def _dead(self) -> Result:
         return self._result("dead states", *dead_states([self.reached]), is_built_in=True)
@@ -431,7 +476,8 @@ class Judge:
         parts += sorted(self._explored.values.bounds.values())
         if self._explored.needed is not None:
             parts.append("only the regions that matter to it")
-        return Bounds(self._scope.agents, tuple(parts), len(graph.parents))
+        few = sum(len(part._graph.parents) for part in self.parts)
+        return Bounds(self._scope.agents, tuple(parts), len(graph.parents), few)
 
 
 def around_of(plan: Plan, label: str) -> Iterator[State]:

@@ -8,7 +8,7 @@ from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from time import process_time
-from typing import ParamSpec, TypeVar
+from typing import ParamSpec, Protocol, TypeVar
 
 from aseme_dsl.amola.system import System
 from aseme_dsl.compiler.phases import inspect_files, watched_of
@@ -52,7 +52,7 @@ from aseme_dsl.project.proving.watched import (
     names_in,
     terms_in,
 )
-from aseme_dsl.proofs.explore.apart import groups_of
+from aseme_dsl.proofs.explore.apart import first_of, groups_of
 from aseme_dsl.proofs.explore.deciding.order import Unanswerable
 from aseme_dsl.proofs.explore.explored import Assumed, Explored
 from aseme_dsl.proofs.explore.needed import Asked
@@ -184,7 +184,7 @@ def _explored(
         timed = [item for item in wanted if is_timed(item.rule)]
         untimed = [item for item in wanted if not is_timed(item.rule)]
         purse = _Purse(limits, len(wanted) + others)
-        share, search_in = purse.share, partial(purse.spend, searched)
+        share, search_in = purse.share, partial(_in_parts, purse, searched)
         if own_script is not None:
             for number, item in enumerate(untimed):
                 one = replace(own_script, expectations=(item,))
@@ -237,6 +237,7 @@ class _Purse:
     def __init__(self, limits: Limits, questions: int) -> None:
         self._limits = limits
         self._left = limits.seconds
+        self._last = 0.0
         self._least = limits.seconds / (2 * max(1, questions))
         """The part of a search at least, as a search may take longer than its part: half of an equal one."""
 
@@ -248,8 +249,63 @@ class _Purse:
         """What a search finds."""
         before = process_time()
         found = search(*arguments, **named)
-        self._left -= process_time() - before
+        self._last = process_time() - before
+        self._left -= self._last
         return found
+
+    def rest(self, limits: Limits) -> Limits:
+        """What the last search has left of its part; half of a least part at least."""
+        return replace(limits, seconds=max(self._least / 2, limits.seconds - self._last))
+
+
+class _Searching(Protocol):
+    """One search, see `_searched`."""
+
+    def __call__(
+        self,
+        scope: Scope,
+        script: Script | None,
+        limits: Limits,
+        *,
+        about: Asked | None = None,
+        times: Times | None = None,
+        numbers: Sequence[float] | None = (),
+        still: frozenset[str] = frozenset(),
+    ) -> Judge | None: ...
+
+
+def _in_parts(
+    purse: _Purse,
+    searched: _Searching,
+    scope: Scope,
+    script: Script | None,
+    limits: Limits,
+    *,
+    about: Asked | None = None,
+    times: Times | None = None,
+    numbers: Sequence[float] | None = (),
+) -> Judge | None:
+    """A search; if it was cut, then also some in which only the first agents of each role move.
+
+    Not with times: then agents have to move in time. Nor with further numbers: these are tried where all do.
+    """
+
+    def search_one(limits: Limits, still: frozenset[str] = frozenset()) -> Judge | None:
+        search = partial(searched, about=about, times=times, numbers=numbers, still=still)
+        return purse.spend(search, scope, script, limits)
+
+    judge = search_one(limits)
+    if judge is None or times is not None or numbers != () or not judge.is_open:
+        return judge
+    for names in first_of(scope.team):
+        limits = purse.rest(limits)
+        still = frozenset(name for name, _ in scope.team if name not in names)
+        part = search_one(limits, still)
+        assert part is not None
+        judge.parts = (*judge.parts, part)
+        if part.has_all:
+            break
+    return judge
 
 
 def _together(parts: Sequence[Result], reached: Sequence[Reached], scope: Scope) -> Iterator[Result]:
@@ -267,7 +323,8 @@ def _together(parts: Sequence[Result], reached: Sequence[Reached], scope: Scope)
             worst = replace(worst, verdict=verdict, reason=reason)
         under = dict.fromkeys(part for item in same for part in item.bounds.parts)
         states = sum(item.bounds.states or 0 for item in same)
-        bounds = Bounds(scope.agents, (*under, "agents that do not meet apart"), states)
+        few = sum(item.bounds.few for item in same)
+        bounds = Bounds(scope.agents, (*under, "agents that do not meet apart"), states, few)
         yield replace(worst, bounds=bounds)
 
 
@@ -283,11 +340,12 @@ def _searched(
     about: Asked | None = None,
     times: Times | None = None,
     numbers: Sequence[float] | None = (),
+    still: frozenset[str] = frozenset(),
 ) -> Judge | None:
     """One search, with the judge of what it has found. With `about`, it is about that alone: what does not
     matter to it stands still. Then there is none if everything matters, unless `times` are measured.
-    `numbers`: see Explored. Raises Unanswerable, if these may be any, and the team asks more of one than how
-    it compares."""
+    `numbers` and `still`: see Explored. Raises Unanswerable, if numbers may be any, and the team asks more of
+    one than how it compares."""
     eyes = Eyes()
     watch = Watched(script) if script is not None and script.expectations else None
     listeners: list[Listener] = [eyes] if watch is None else [eyes, watch.observer]
@@ -304,6 +362,7 @@ def _searched(
         times is not None,
         conditions=tuple(terms_in(script)),
         numbers=numbers,
+        still=still,
     )
     if about is not None and explored.needed is None and times is None:
         return None

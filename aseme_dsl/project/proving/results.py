@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from enum import StrEnum
 
 from aseme_dsl.play.sight.story import Happened
@@ -25,12 +26,18 @@ class Bounds:
     agents: str
     parts: tuple[str, ...] = ()
     states: int | None = None
+    few: int = 0
+    """So many more states of searches in which only some of the agents move."""
 
     @property
     def text(self) -> str:
         """`1 initiator, 1 responder; any delay; 3366 states`."""
-        states = () if self.states is None else (f"{self.states} states",)
-        return "; ".join((self.agents, *self.parts, *states))
+        return "; ".join((self.agents, *self.parts, *self._states()))
+
+    def _states(self) -> Iterator[str]:
+        if self.states is not None:
+            few = f" and {self.few} in which only some agents move" if self.few else ""
+            yield f"{self.states} states{few}"
 
 
 @dataclass(frozen=True, slots=True)

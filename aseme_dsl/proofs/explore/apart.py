@@ -1,7 +1,8 @@
-"""Apart: which agents of a team never send each other anything: what holds for each group holds for all."""
+"""Apart: which agents are looked at apart: those that meet no others, or the first of each role."""
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 
 from aseme_dsl.runtime.channel.routes import Routes
@@ -30,6 +31,22 @@ def groups_of(team: Team, plans: Mapping[str, Plan]) -> list[Team]:
         key=lambda group: order[group[0][0]],
     )
     return list(_unlike(found, plans))
+
+
+def first_of(team: Team) -> Iterator[frozenset[str]]:
+    """The names of the first agent of each role, then of the first two, as long as these are not all.
+
+    Nothing obliges the others to move. So a run in which only these do is a run of the team.
+    """
+    for most in (1, 2):
+        places: Counter[str] = Counter()
+        found: set[str] = set()
+        for name, role in team:
+            places[role] += 1
+            if places[role] <= most:
+                found.add(name)
+        if len(found) < len(team):
+            yield frozenset(found)
 
 
 def _unlike(groups: Sequence[Sequence[tuple[str, str]]], plans: Mapping[str, Plan]) -> Iterator[Team]:
@@ -68,4 +85,4 @@ def _channels(plan: Plan) -> Iterator[str]:
         yield from info.writes
 
 
-__all__ = ["Team", "groups_of"]
+__all__ = ["Team", "first_of", "groups_of"]

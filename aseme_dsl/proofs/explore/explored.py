@@ -128,6 +128,7 @@ class Explored:
         alone: Alone | None = None,
         conditions: Sequence[Condition] = (),
         numbers: Sequence[float] | None = (),
+        still: frozenset[str] = frozenset(),
     ) -> None:
         """`listeners` are given the lines of a trace. `further` objects belong to the state of the team;
         `layout` has the parts of these, and what of those is not keyed (see `Layout`). They ask for the
@@ -135,8 +136,10 @@ class Explored:
         What does not matter to the question that is `asked`, if there is one, does not move. `with_times`,
         each move says when it may happen, counted from those before; else time is not measured. `alone`,
         there is one agent, and it says what comes to that. Where a few numbers do not stand for all, these
-        `numbers` are tried, too; None: there is one that may be any, and nothing can be retraced."""
+        `numbers` are tried, too; None: there is one that may be any, and nothing can be retraced.
+        Agents that stand `still` begin, and make no move after that."""
         self.choices = Choices()
+        self.still = still
         self._assumed = assumed
         self.driver = driver = Still()
         self.trace = trace = Trace(None, listeners)
@@ -235,9 +238,7 @@ class Explored:
             coming.needed = needed_for(plans, asked, assumed.fails, coming.reaches, own)
         self.needed = coming.needed
         """The regions that matter, if not all do."""
-        if self.needed is not None:
-            reads = self.needed.reads
-            self.ways.taken = lambda receiver, what: what in reads[self._roles[receiver]]
+        self.ways.taken = self._is_taken
         self._relevant = {plan.name: Relevant(plan, kept) for plan in plans}
         self._spent = spent = Spent(plans)
         self.ways.mail = spent.sent
@@ -276,6 +277,12 @@ class Explored:
         chart.stand_in({item[0]: self._acting.function(name, item) for item in chart.PLAN.functions})
         agent.requests.prepared = Free(self._acting, name)
         return agent
+
+    def _is_taken(self, receiver: str, channel: str) -> bool:
+        """Whether what comes on a channel may make a difference to a receiver."""
+        if receiver in self.still:
+            return False
+        return self.needed is None or channel in self.needed.reads[self._roles[receiver]]
 
     @property
     def left_out(self) -> str:
@@ -377,10 +384,12 @@ class Explored:
         return self.hears or (bool(self.judged) and not self.crashed)
 
     def longest(self) -> int:
-        """How many messages, at the most, are on their way from one agent to another; of a topic, each counts
-        twice."""
+        """How many messages, at the most, are on their way from one agent to another that moves; of a topic,
+        each counts twice."""
         weights = (
-            sum(1 if item.kind == "mail" else 2 for item in items) for items in self.ways.ways.values()
+            sum(1 if item.kind == "mail" else 2 for item in items)
+            for (_, receiver), items in self.ways.ways.items()
+            if receiver not in self.still
         )
         return max(weights, default=0)
 
@@ -531,11 +540,8 @@ class Explored:
             when = Window(0, 0, 0)
             yield Move(("begin",), "the agents begin", self._begin_all, "", window=when)
             return
-        yield from self._ends()
-        yield from self._arrivals()
-        yield from self._times()
-        yield from self._crashes()
-        yield from self._given()
+        moves = (self._ends(), self._arrivals(), self._times(), self._crashes(), self._given())
+        yield from (move for some in moves for move in some if move.agent not in self.still)
 
     def _ends(self) -> Iterator[Move]:
         for execution in self.driver.running:

@@ -61,6 +61,9 @@ class Edge:
     before; NEW or CROSSED if it has come with this move."""
 
 
+ENOUGH = "what was asked for is refuted"
+"""Why a search ended before it was asked to."""
+
 NEW, CROSSED = -1, -2
 """An agent message has come now; the second, if it has crossed one of its receiver."""
 
@@ -265,7 +268,7 @@ class _Search:
 
     def _is_over(self) -> str | None:
         if self._is_enough(self._graph):
-            return "what was asked for is refuted"
+            return ENOUGH
         if len(self._graph.parents) >= self._limits.states:
             return f"{self._limits.states} states"
         if process_time() > self._until:
@@ -401,6 +404,7 @@ def _places(agent: Agent) -> tuple[int, ...]:
 
 __all__ = [
     "CROSSED",
+    "ENOUGH",
     "NEW",
     "Agenda",
     "Edge",
