@@ -56,9 +56,10 @@ def carried_on(channels: Sequence[str]) -> str:
     return "the message is on " + listed(channels) if channels else "no topic carries this message"
 
 
-def how_to_play(protocol: str, participant: str, role: str) -> str:
-    """What to write so that a role plays a participant."""
-    return f"write `plays {protocol}.{participant}` in srm {role}"
+def how_to_play(protocols: Iterable[str], participant: str, role: str) -> str:
+    """What to write so that a role plays a participant of one of the protocols."""
+    plays = listed((f"plays {protocol}.{participant}" for protocol in protocols), "or")
+    return f"write {plays} in srm {role}"
 
 
 __all__ = [

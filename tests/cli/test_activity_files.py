@@ -323,6 +323,20 @@ def test_a_participant_that_the_role_forgets_to_play(here: Here, project: Path) 
     assert codes(here("check", "--json")).count("W202") == 1  # no error that says it
 
 
+def test_the_participant_may_be_one_of_several_protocols(here: Here, project: Path) -> None:
+    other = "aip swap { participant seller { process = Give }  participant taker { process = Take } }\n"
+    (project / "team.aseme").write_text(SHOP.replace("srm customer", f"{other}srm customer"))
+    for path in (project / "acts").iterdir():
+        path.unlink()
+    for name in ("Sell", "Wait", "Give"):  # would be used, whichever is played
+        write(project, f"acts/{name.lower()}.py", name)
+    found = here("check", "--json").json["diagnostics"]
+    assert [item["hint"] for item in found if item["code"] == "E543"] == [
+        "write `plays deal.seller` or `plays swap.seller` in srm shop"
+    ]
+    assert "W541" not in [item["code"] for item in found]
+
+
 SILENT = """system Kitchen
 message Meal { int table }
 aip serving {

@@ -98,7 +98,33 @@ def test_hints() -> None:
     assert hint("a = 3") == "write / before actions"
     assert hint("send cfp Task to b") == "write / before actions"
     assert hint("inform Done form b") == "did you mean 'from'?"
+    assert hint("/ raise start") == "give the event another name"
     assert hint("/ send accept-proposal Award to b") == "names are written with '_': accept_proposal"
+
+
+@pytest.mark.parametrize(
+    ("term", "condition", "meant"),
+    [
+        ("B", "t.signal.Stop", "when [has(t.signal.Stop)]"),
+        ("(B . C)", "x > 3", "when [x > 3]"),
+        ("(B.C)", "if x > 3", "when [x > 3]"),
+        ("C", "x > 3", "[x > 3]"),
+    ],
+)
+def test_what_interrupts_needs_when(term: str, condition: str, meant: str) -> None:
+    """A condition alone is no trigger: E420 would follow."""
+    behind = "B . C" if "C" in term else "B"
+    text = f"""srm a {{ liveness {{ f = A [> ({behind}) }}
+      control f {{
+        enter {term} : {condition}
+      }} }}"""
+    [mistake] = mistakes(text)
+    assert (mistake.code, mistake.hint, mistake.fix) == ("E102", f"write {meant}", meant)
+
+
+def test_an_event_cannot_be_called_like_a_verb() -> None:
+    mistake = mistakes("srm a { control f { enter A : / raise start\n enter B : go } }")[0]
+    assert mistake.message == "'start' begins a control line and cannot be the name of an event"
 
 
 def test_a_verb_that_is_right_is_not_mended() -> None:

@@ -138,14 +138,20 @@ def _close(name: str, node: State, other: str, place: Span, kind: _Named) -> Dia
 
 def unplayed(iacs: Mapping[str, Used], aips: Iterable[tree.Aip]) -> Iterator[Diagnostic]:
     """W202 for an activity of a role that is called like a participant which the role does not play."""
-    participants = {part.name.text: (aip, part) for aip in aips for part in aip.participants}
+    participants: dict[str, list[tuple[tree.Aip, tree.Participant]]] = {}
+    for aip in aips:
+        for part in aip.participants:
+            participants.setdefault(part.name.text, []).append((aip, part))
     for role, used in iacs.items():
         for name in participants.keys() & used.keys():
             node = used[name]
             if node.origin.kind is OriginKind.FORMULA:
-                aip, part = participants[name]
-                related = (Related(part.name.span, f"the participant of {aip.name}"),)
-                yield Diagnostic(NamedLikeParticipant(name, aip.name.text, role), node.span, related)
+                alike = participants[name]
+                related = tuple(
+                    Related(part.name.span, f"the participant of {aip.name}") for aip, part in alike
+                )
+                protocols = tuple(aip.name.text for aip, _ in alike)
+                yield Diagnostic(NamedLikeParticipant(name, protocols, role), node.span, related)
 
 
 @lru_cache(maxsize=20_000)

@@ -101,7 +101,7 @@ def without_told(found: Iterable[Diagnostic], of_code: Iterable[Diagnostic]) -> 
     of_code = tuple(of_code)
     unsent = {item.span for item in of_code if isinstance(item.problem, NeverSaid)}
     told = {
-        NamedLikeParticipant(problem.participant, problem.protocol, problem.role)
+        NamedLikeParticipant(problem.participant, problem.protocols, problem.role)
         for item in of_code
         if isinstance(problem := item.problem, NoCodeOfParticipant)
     }

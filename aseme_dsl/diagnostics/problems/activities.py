@@ -177,11 +177,11 @@ class SimulatedWithoutTime(Problem):
 
 
 class NamedLikeParticipant(Problem):
-    """An activity of a role that is named like a participant of a protocol."""
+    """An activity of a role that is named like a participant of these protocols."""
 
     code = "W202"
     participant: str
-    protocol: str
+    protocols: tuple[str, ...]
     role: str
 
     @property
@@ -190,7 +190,7 @@ class NamedLikeParticipant(Problem):
 
     @property
     def hint(self) -> str:
-        return how_to_play(self.protocol, self.participant, self.role)
+        return how_to_play(self.protocols, self.participant, self.role)
 
 
 class OutcomeOfNobody(Problem):

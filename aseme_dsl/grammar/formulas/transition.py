@@ -18,6 +18,7 @@ from aseme_dsl.grammar.formulas.transition_mistakes import (
     check_content,
     condition_with_if,
     no_colon,
+    no_event,
     no_from,
 )
 from aseme_dsl.grammar.formulas.words import RESERVED
@@ -233,6 +234,8 @@ def _action(reader: Reader) -> tree.Action:
     following = reader.tokens[reader.index + 1] if reader.index + 1 < len(reader.tokens) else ""
     if first == "send" and following and is_word(following):
         return _send(reader)
+    if first == "raise" and not following:
+        raise no_event(reader)
     if first == "raise" and following and is_word(following) and following not in RESERVED:
         reader.take()
         name = reader.need_name(Wanted.EVENT)

@@ -95,7 +95,7 @@ def condition_with_if(reader: Reader, word: Token) -> Malformed:
     if found.fix is None or found.span is None:
         return reader.error(problems.ConditionWithIf(None), word)
     span = Span(reader.source, word.start, found.span.end)
-    bare = found.problem.condition if isinstance(found.problem, problems.BareCondition) else None
+    bare = found.problem.meant if isinstance(found.problem, problems.BareCondition) else None
     return Malformed(Diagnostic(problems.ConditionWithIf(bare), span, fix=found.fix))
 
 
@@ -116,11 +116,25 @@ def bare_condition(reader: Reader, start: int) -> Malformed:
         last = condition[-1]
         span = Span(reader.source, first.start, last.end)
         whole = _WHOLE_MESSAGE.fullmatch(span.text)
-        meant = f"has({span.text})" if whole is not None else span.text
-        return Malformed(Diagnostic(problems.BareCondition(meant), span, fix=f"[{meant}]"))
+        meant = f"[has({span.text})]" if whole is not None else f"[{span.text}]"
+        if _is_interrupt(reader):
+            meant = f"when {meant}"
+        return Malformed(Diagnostic(problems.BareCondition(meant), span, fix=meant))
     return reader.error(problems.UnexpectedInExpression((Wanted.EVENT, "[", "/"), None, first), first)
 
 
+def _is_interrupt(reader: Reader) -> bool:
+    """Whether the line is `enter T` of a T that stands right behind `[>`: it needs an event or `when`."""
+    text = reader.source.text
+    start = reader.tokens[0].start
+    entered = _ENTERED.fullmatch(text, text.rfind("\n", 0, start) + 1, start)
+    if entered is None:
+        return False
+    term = r"\s*".join(map(re.escape, re.findall(r"\w+|[^\w\s]+", entered["term"].strip("()"))))
+    return re.search(rf"\[>\s*\(*\s*{term}(?!\w)", text) is not None
+
+
+_ENTERED = re.compile(r".*\benter\s+(?P<term>[^:\n]*?)\s*:\s*")
 _WHOLE_MESSAGE = re.compile(r"\w+(?:\s*\.\s*\w+)*\s*\.\s*(?:signal|state|data)\s*\.\s*\w+")
 """`panel.signal.Stop`: as a condition it asks whether the message is there."""
 
@@ -137,6 +151,16 @@ def _event_after(reader: Reader, word: Token, event: Token) -> Malformed:
     """`when stop` or `on stop`, as other languages write the event `stop`."""
     span = Span(reader.source, word.start, event.end)
     return Malformed(Diagnostic(problems.EventBehindWord(word, event), span, fix=str(event)))
+
+
+def no_event(reader: Reader) -> Malformed:
+    """`raise` at the end of an expression: what stands behind it begins a control line, as it is read."""
+    word = reader.take()
+    found = re.compile(r"[ \t]+([A-Za-z_]\w*)").match(reader.source.text, word.end)
+    if found is None:
+        return reader.unexpected(Wanted.EVENT)
+    place = Span(reader.source, word.start, found.end(1))
+    return Malformed(Diagnostic(problems.EventNamedLikeVerb(found[1]), place))
 
 
 def after_transition(reader: Reader, has_actions: bool, has_condition: bool) -> Malformed:

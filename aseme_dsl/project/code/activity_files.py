@@ -65,12 +65,12 @@ class Wanted:
 class Unplayed:
     """That a role has an activity where it seems to mean a participant, which it does not play (W202).
 
-    `activities` are those that it would have then.
+    Several protocols may have one of that name. `activities` are those that the role would have then.
     """
 
-    protocol: str
+    protocols: tuple[str, ...]
     role: str
-    place: Related
+    places: tuple[Related, ...]
     activities: frozenset[str]
 
 
@@ -78,7 +78,10 @@ def wanted_files(system: System, folder: Path) -> tuple[Wanted, ...]:
     """What has its code in the folder, simulated activities included, each once."""
     roles: dict[str, list[Span]] = {}
     unplayed: dict[str, Unplayed] = {}
-    participants = {part.name: (aip, part) for aip in system.aips for part in aip.participants}
+    participants: dict[str, list[tuple[Aip, Participant]]] = {}
+    for aip in system.aips:
+        for part in aip.participants:
+            participants.setdefault(part.name, []).append((aip, part))
     modules: dict[str, Activity] = {}
     for chart in system.iacs:
         names = {node.activity for node in chart.states if node.type is StateType.BASIC and node.activity}
@@ -89,7 +92,7 @@ def wanted_files(system: System, folder: Path) -> tuple[Wanted, ...]:
         for name in names:
             roles.setdefault(name, []).append(chart.root.span)
         for name in names & participants.keys():
-            unplayed.setdefault(name, _unplayed(chart.name, *participants[name]))
+            unplayed.setdefault(name, _unplayed(chart.name, participants[name]))
     found = [(item, "activity") for item in system.activities if item.name in roles]
     found += [(item, "module") for item in modules.values()]
     return tuple(
@@ -104,13 +107,21 @@ def wanted_files(system: System, folder: Path) -> tuple[Wanted, ...]:
     )
 
 
-def _unplayed(role: str, aip: Aip, part: Participant) -> Unplayed:
-    done = {node.name for item in part.formulas for node in names_in(item.formula)}
+def _unplayed(role: str, alike: Sequence[tuple[Aip, Participant]]) -> Unplayed:
+    done = {
+        name
+        for _, part in alike
+        for name in {node.name for item in part.formulas for node in names_in(item.formula)}
+        - {item.name for item in part.formulas}
+    }
     return Unplayed(
-        aip.name,
+        tuple(aip.name for aip, _ in alike),
         role,
-        Related(part.span, f"the participant of {aip.name}, which {role} does not play"),
-        frozenset(done.difference(item.name for item in part.formulas)),
+        tuple(
+            Related(part.span, f"the participant of {aip.name}, which {role} does not play")
+            for aip, part in alike
+        ),
+        frozenset(done),
     )
 
 
@@ -171,8 +182,8 @@ def _missing(item: Wanted, near: str | None, system: System, project: Path | Non
     related: tuple[Related, ...] = ()
     problem: Problem
     if item.unplayed is not None:
-        related = (item.unplayed.place,)
-        problem = NoCodeOfParticipant(name, item.unplayed.protocol, item.unplayed.role, file)
+        related = item.unplayed.places
+        problem = NoCodeOfParticipant(name, item.unplayed.protocols, item.unplayed.role, file)
     elif near is not None:
         own_class = class_name(name) if _is_of_class(near) else None
         there = _shown(near, project)

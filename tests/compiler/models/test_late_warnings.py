@@ -52,6 +52,10 @@ def test_a_participant_that_the_role_does_not_play() -> None:
     [found] = warnings(text.replace("PLAYS", ""))
     assert (found.code, found.hint) == ("W202", "write `plays deal.buyer` in srm r")
     assert warnings(text.replace("PLAYS", "plays deal.buyer")) == []
+    other = text.replace("aip deal", "aip swap { participant buyer { process = Offer } }\n    aip deal")
+    [found] = warnings(other.replace("PLAYS", ""))
+    assert (found.code, found.hint) == ("W202", "write `plays swap.buyer` or `plays deal.buyer` in srm r")
+    assert [item.message for item in found.related] == ["the participant of swap", "the participant of deal"]
 
 
 def test_states_and_transitions_of_a_statechart_may_be_mixed() -> None:

@@ -226,11 +226,11 @@ class CodeNamedOtherwise(Problem):
 
 
 class NoCodeOfParticipant(Problem):
-    """An activity that is named like a participant, which the role does not play (W202)."""
+    """An activity that is named like a participant of protocols, which the role does not play (W202)."""
 
     code = "E543"
     participant: str
-    protocol: str
+    protocols: tuple[str, ...]
     role: str
     file: str
 
@@ -240,7 +240,7 @@ class NoCodeOfParticipant(Problem):
 
     @property
     def hint(self) -> str:
-        return how_to_play(self.protocol, self.participant, self.role)
+        return how_to_play(self.protocols, self.participant, self.role)
 
 
 class NoCodeFolder(Problem):

@@ -518,26 +518,27 @@ class NameBehindFrom(Problem):
 
 
 class BareCondition(Problem):
+    """`meant`: the condition with its brackets."""
+
     code = "E102"
-    condition: str
+    meant: str
     message = "a condition stands in '[' and ']'"
 
     @property
     def hint(self) -> str | None:
-        bracketed = f"[{self.condition}]"
-        return f"write {bracketed}" if len(bracketed) < _LONGEST and "\n" not in bracketed else None
+        return f"write {self.meant}" if len(self.meant) < _LONGEST and "\n" not in self.meant else None
 
 
 class ConditionWithIf(Problem):
-    """`condition`: what stands without brackets behind `if`, if it does."""
+    """`meant`: with brackets, what stands without them behind `if`, if it does."""
 
     code = "E102"
-    condition: str | None
+    meant: str | None
     message = "a condition stands in '[' and ']', without 'if'"
 
     @property
     def hint(self) -> str | None:
-        return BareCondition(self.condition).hint if self.condition is not None else None
+        return BareCondition(self.meant).hint if self.meant is not None else None
 
 
 class BracketMissingBefore(Problem):
@@ -565,6 +566,19 @@ class EventBehindWord(Problem):
     @property
     def hint(self) -> str:
         return f"write {self.event}; a condition stands in '[' and ']'"
+
+
+class EventNamedLikeVerb(Problem):
+    """`raise start`: `start` is read as the next control line."""
+
+    code = "E102"
+    word: str
+
+    @property
+    def message(self) -> str:
+        return f"{shown(self.word)} begins a control line and cannot be the name of an event"
+
+    hint = "give the event another name"
 
 
 # ---- E107: what can be read in two ways --------------------------------------------------------
