@@ -184,7 +184,7 @@ def seen_in(loaded: Loaded, script: object, seed: int, *, is_calm: bool) -> set[
     over: set[str] = set()
     passed: set[str] = set()
     talked: set[str] = set()
-    """The agents that have sent an agent message, or were sent one: others wait for a conversation."""
+    """The agents that have taken part in a conversation: others still wait for one."""
 
     def listen(record: Record) -> None:
         match record["kind"]:
@@ -196,8 +196,8 @@ def seen_in(loaded: Loaded, script: object, seed: int, *, is_calm: bool) -> set[
                 if "configuration" in record:
                     now[record["agent"]] = frozenset(record["configuration"])
                     first.setdefault(record["agent"], now[record["agent"]])
-            case "agent_message":
-                talked.update((record["agent"], *record["to"]))
+            case "conversation" if record["what"] in ("open", "join"):
+                talked.add(record["agent"])
             case "error":
                 found.add("failures")
                 over.add(record["agent"])
