@@ -66,6 +66,16 @@ def test_what_opens_a_conversation_may_have_been_prepared_by_nobody(here: Here, 
     assert [item["verdict"] for item in done.json["results"]] == ["REFUTED"], done.out
 
 
+@pytest.mark.parametrize(("number", "verdict"), [(0, "REFUTED"), (7, "UNDECIDED")])
+def test_what_nobody_has_prepared_says_what_a_new_message_says(
+    here: Here, folder: Path, number: int, verdict: str
+) -> None:
+    only = f"enter Work : request Job job from boss [job.number == {number}]"
+    (folder / "a.aseme").write_text(OPENS.replace("enter Work : request Job from boss", only))
+    done = here("prove", "a.aseme", "none closes", "--json")
+    assert [item["verdict"] for item in done.json["results"]] == [verdict], done.out
+
+
 def test_what_holds_leaves_no_file(here: Here, folder: Path) -> None:
     (folder / "a.aseme").write_text(BUY)
     assert here("prove", "a.aseme", "--save", "found.aseme").code == 0

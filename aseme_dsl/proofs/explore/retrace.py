@@ -389,7 +389,7 @@ class _Retrace:
     def _prepare(self, agent: str, content: Content) -> None:
         acts = self._ended.get(agent)
         if acts is None:
-            raise NotRetraced(f"nothing has prepared a message of {agent}")
+            return  # it sends the values of a new message: whether the run needs others, its replay shows
         kind = type(content.whole).__name__
         acts.prepares[:] = [item for item in acts.prepares if type(item.whole).__name__ != kind]
         acts.prepares.append(content)
