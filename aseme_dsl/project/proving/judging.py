@@ -91,11 +91,15 @@ def asks_for_times(item: Expectation, found: Result | None) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class Answers:
-    """What a search has found: `results`, and what was `reached`. `is_exact`: each way is that of a run."""
+    """What a search has found: `results`, and what was `reached`. `is_exact`: each way is that of a run.
+
+    The questions in `safe` ask for what happens on the way, and what they speak of does happen.
+    """
 
     results: tuple[Result, ...]
     reached: Reached
-    is_exact: bool = True
+    is_exact: bool
+    safe: frozenset[str]
 
     @property
     def is_decided(self) -> bool:
@@ -108,13 +112,14 @@ class Answers:
             item.name: item
             for item in other.results
             if item.verdict is Verdict.REFUTED
-            or (item.verdict is Verdict.PROVED and (other.is_exact or item.name == "failures"))
+            or (item.verdict is Verdict.PROVED and (other.is_exact or item.name in self.safe))
         }
         results = tuple(
             decided.get(item.name, item) if item.verdict is Verdict.UNDECIDED else item
             for item in self.results
         )
-        return Answers(results, other.reached if "dead states" in decided else self.reached)
+        reached = other.reached if "dead states" in decided else self.reached
+        return replace(self, results=results, reached=reached)
 
 
 class Judge:
@@ -172,7 +177,22 @@ class Judge:
     def answers(self, *, is_all: bool) -> Answers:
         """The answers about what the document says; `is_all`: and to what is asked of every team."""
         results = tuple(self.results() if is_all else self.expected())
-        return Answers(results, self.reached, self._explored.order.is_exact)
+        safe = frozenset(("failures", *self._safe()))
+        return Answers(results, self.reached, self._explored.order.is_exact, safe)
+
+    def _safe(self) -> Iterator[str]:
+        """The expectations that ask for what happens on the way, and of which all witnesses were met."""
+        if self._watch is None:
+            return
+        script = self._watch.observer.script
+        for item in script.expectations:
+            asked = conditions_in(replace(script, expectations=(item,)))
+            if (
+                isinstance(item.rule, Always | Never | Before | Until)
+                and self._graph.met.issuperset(item.witnesses)
+                and not any(isinstance(condition, Untaken) for condition in asked)
+            ):
+                yield named(item)
 
     def expected(self) -> Iterator[Result]:
         """The answers about what the document says."""

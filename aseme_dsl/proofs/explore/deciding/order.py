@@ -4,8 +4,8 @@ Such a number stands for all numbers at once. Each comparison of it with another
 made, and holds from then on: what is known are bounds of differences, as in a zone. So each way through the
 decisions is that of some numbers, and each number goes one of the ways.
 
-A sum or a product of such numbers may be any number again. Then there may be ways that no numbers go: what
-happens on none of the ways does not happen, but what may happen on one of them perhaps cannot.
+A sum or a product of such numbers may be any number at each look. Then there may be ways that no numbers go:
+what happens on none of the ways does not happen, but what may happen on one of them perhaps cannot.
 """
 
 from __future__ import annotations
@@ -238,15 +238,21 @@ class Order:
             if 0 in (row, column):
                 self.compared.add(by if column == 0 else -by)
         place = self._choices.of(("order", self._asked), range(len(possible)))
-        answer, self.known.zone = possible[place]
+        answer, zone = possible[place]
+        if not self._is_loose(one, other):
+            self.known.zone = zone
         return answer
+
+    def _is_loose(self, *numbers: Number) -> bool:
+        """Whether one of these was computed from others. What is decided of it is not remembered."""
+        return any(type(item) is AnyNumber and item.number in self.known.loose for item in numbers)
 
     def _is_exact(self, one: Number, other: Number) -> bool:
         """Whether each of the answers about two numbers is right for some. The bounds do not say whether an
         int is between two doubles."""
         known = self.known
-        any_numbers = {item.number for item in (one, other) if type(item) is AnyNumber}
-        return not any_numbers & known.loose and len({number in known.whole for number in any_numbers}) == 1
+        kinds = {item.number in known.whole for item in (one, other) if type(item) is AnyNumber}
+        return not self._is_loose(one, other) and len(kinds) == 1
 
     def _narrow(self, zone: Zone | None) -> None:
         assert zone is not None
