@@ -14,12 +14,12 @@ import marshal
 import re
 import threading
 from collections import deque
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import fields, is_dataclass, replace
 from enum import Enum, auto
-from functools import partial
+from functools import lru_cache, partial
 from hashlib import blake2b
-from operator import attrgetter
+from operator import attrgetter, is_
 from types import (
     BuiltinFunctionType,
     FunctionType,
@@ -81,6 +81,10 @@ class Layout:
     """What of an object depends on the order in a dictionary; no other order in one makes a difference."""
 
 
+def _never(item: object, content: object) -> bool:
+    return False
+
+
 @dataclass(frozen=True, slots=True)
 class _Class:
     """What is known of the objects of a class."""
@@ -92,19 +96,45 @@ class _Class:
     has_dict: bool = False
     read: Callable[[Any], Any] = lambda item: ()
     """Gives the attributes together, if all are there."""
+    is_same: Callable[[Any, Any], bool] = _never
+    """Whether an object holds the very objects of a content; it may do so though this is not found."""
 
 
-_Held = tuple[tuple[object, _Class, Any], ...]
-"""Objects with what is known of their classes, and with their contents."""
+_Atom = tuple[str, int] | int
+"""A part of an object that is not the same in equal states: a name that counts up, or the identity of an
+object that is meant."""
+
+
+class _Held:
+    """An object with what it holds. What is made of that once stays with it, as long as it holds the same."""
+
+    __slots__ = ("atoms", "content", "inside", "is_fixed", "item", "kind", "later", "shape")
+
+    def __init__(self, item: object, kind: _Class, content: Any) -> None:
+        self.item = item
+        self.kind = kind
+        self.content = content
+        self.is_fixed = True
+        """Whether it holds the same as long as it holds the same objects."""
+        self.inside: list[object] = []
+        """The objects in it."""
+        self.later: list[object] = []
+        """Those that make no difference."""
+        self.shape = b""
+        """What makes a difference, with a slot for each of its `atoms`."""
+        self.atoms: tuple[_Atom, ...] | None = None
+        """None if they are not known, or cannot be told from the shape."""
 
 
 @dataclass(frozen=True, slots=True)
 class Section:
     """What the objects of one section hold: those of one agent, or those that the team has in common."""
 
-    objects: _Held
+    objects: tuple[_Held, ...]
+    found: Mapping[int, int]
+    """Where objects stand, by their identities."""
     places: Mapping[int, int]
-    """Where objects stand among those that make a difference, by their identities."""
+    """The same of those that make a difference; these come first."""
     shape: bytes
     """Stands for all that makes a difference, without the numbers of names that count up."""
     names: tuple[tuple[str, int], ...]
@@ -173,48 +203,90 @@ class Memory:
         return tuple(found)
 
     def _section(self, number: int, others: Mapping[int, tuple[int, int]]) -> Section:
-        known, plain = self._classes, self._plain
-        seen = set(others)
-        found: list[tuple[object, _Class, Any]] = []
-        todo = list(self._roots[number])
+        last = self._last[number]
+        before, known = ({}, ()) if last is None else (last.found, last.objects)
+        places: dict[int, int] = {}
+        found: list[_Held] = []
+        todo: list[object] = []
         later: list[object] = []
+        self._gather(self._roots[number], todo)
         keyed = -1
         while todo or later:
             if not todo:  # what can only be reached by what makes no difference
                 keyed = len(found) if keyed < 0 else keyed
                 todo, later = later, []
             item = todo.pop()
-            own = type(item)
-            if id(item) in seen or own in plain:
+            own = id(item)
+            if own in places or own in others:
                 continue
-            kind = known.get(own) or self._class(own)
-            if own in plain:
-                continue
-            seen.add(id(item))
-            content, inside = _content(item, kind)
-            if kind.kind is not _Kind.TUPLE and kind.kind is not _Kind.CALL:
-                found.append((item, kind, content))
-            if kind.unkeyed:
-                for name, part in zip(content if kind.has_dict else kind.names, inside, strict=True):
-                    (later if name in kind.unkeyed else todo).append(part)
+            place = before.get(own)
+            if place is None:
+                held = self._held(item, None)
             else:
-                todo += [part for part in inside if type(part) not in plain]
+                held = known[place]
+                if not (held.is_fixed and held.kind.is_same(item, held.content)):
+                    held = self._held(item, held)
+            places[own] = len(found)
+            found.append(held)
+            if held.inside:
+                todo += held.inside
+            if held.later:
+                later += held.later
         objects = tuple(found)
         keyed = len(found) if keyed < 0 else keyed
-        last = self._last[number]
         if last is not None and _is_alike(objects[:keyed], others, last):
-            return replace(last, objects=objects)
-        keying = _Keying(self, objects[:keyed], others)
-        shape = keying.shape()
-        return Section(objects, keying.places, shape, tuple(keying.names), keying.meant)
+            return replace(last, objects=objects, found=places)
+        differ = places if keyed == len(found) else dict(itertools.islice(places.items(), keyed))
+        keying = _Keying(self, differ, others)
+        shape = keying.shape(objects[:keyed])
+        return Section(objects, places, differ, shape, tuple(keying.names), keying.meant)
+
+    def _held(self, item: object, last: _Held | None) -> _Held:
+        """An object with what it holds, which may be what it held last."""
+        kind = self.class_of(type(item))
+        content, parts = _content(item, kind)
+        if last is not None and last.is_fixed and type(content) is tuple and _are_same(content, last.content):
+            return last
+        held = _Held(item, kind, content)
+        if not kind.unkeyed:
+            held.is_fixed = self._gather(parts, held.inside)
+            return held
+        for name, part in zip(content if kind.has_dict else kind.names, parts, strict=True):
+            if not self._gather((part,), held.later if name in kind.unkeyed else held.inside):
+                held.is_fixed = False
+        return held
+
+    def _gather(self, parts: Iterable[object], found: list[object]) -> bool:
+        """Add those of the parts that may change, and what is in those that cannot; whether the latter stay
+        the same: a function may set what it refers to."""
+        plain = self._plain
+        is_fixed = True
+        for part in parts:
+            own = type(part)
+            if own in plain:
+                continue
+            kind = self.class_of(own).kind
+            if own in plain:
+                continue
+            if kind is _Kind.TUPLE:
+                is_fixed &= self._gather(cast("Iterable[object]", part), found)
+            elif kind is _Kind.CALL:
+                is_fixed &= self._gather(_inside(part), found) and own is not FunctionType
+            else:
+                found.append(part)
+        return is_fixed
 
     def take_back(self, picture: Picture) -> None:
         """Let all objects hold what they held then."""
         for number, section in enumerate(picture):
-            if self._now[number] is not section:
-                for item, kind, content in section.objects:
-                    _PUT[kind.kind](item, kind, content)
-                self._now[number] = section
+            now = self._now[number]
+            if now is section:
+                continue
+            same = frozenset() if now is None else frozenset(map(id, now.objects))
+            for held in section.objects:
+                if id(held) not in same:
+                    _PUT[held.kind.kind](held.item, held.kind, held.content)
+            self._now[number] = section
 
     def _class(self, kind: type) -> _Class:
         found = self._classes[kind] = self._find(kind)
@@ -234,11 +306,12 @@ class Memory:
             return _Class(_Kind.CHART)
         for base, found in _CONTAINERS.items():
             if issubclass(kind, base):
-                return _Class(found)
+                return _Class(found, is_same=_IS_SAME.get(found, _never))
         unkeyed = _of_class(layout.unkeyed, kind)
         own = next((layout.parts[base] for base in kind.__mro__ if base in layout.parts), None)
         if own is not None:
-            return _Class(_Kind.OBJECT, own, unkeyed, read=_reading(own))
+            read = _reading(own)
+            return _Class(_Kind.OBJECT, own, unkeyed, read=read, is_same=partial(_holds, read))
         slots = [
             name
             for base in kind.__mro__
@@ -247,7 +320,9 @@ class Memory:
         ]
         has_dict = any("__dict__" in vars(base) for base in kind.__mro__)
         names = tuple(dict.fromkeys(slots))
-        return _Class(_Kind.OBJECT, names, unkeyed, has_dict, _reading(names))
+        read = _reading(names)
+        is_same = _never if has_dict else partial(_holds, read)
+        return _Class(_Kind.OBJECT, names, unkeyed, has_dict, read, is_same)
 
     # ---- keys --------------------------------------------------------------------------------
 
@@ -283,17 +358,37 @@ def _of_class(table: Mapping[type, frozenset[str]], kind: type) -> frozenset[str
     return frozenset(name for base, names in table.items() if issubclass(kind, base) for name in names)
 
 
-def _is_alike(objects: _Held, others: Mapping[int, tuple[int, int]], last: Section) -> bool:
+def _is_alike(objects: Sequence[_Held], others: Mapping[int, tuple[int, int]], last: Section) -> bool:
     """Whether all that makes a difference is as it was: the same objects hold what they held."""
     known = last.objects[: len(last.places)]
     return (
         len(known) == len(objects)
         and all(
-            one is other and held == before and (kind.kind is not _Kind.DICT or [*held] == [*before])
-            for (one, kind, held), (other, _, before) in zip(objects, known, strict=True)
+            now is before
+            or (
+                now.item is before.item
+                and now.content == before.content
+                and (now.kind.kind is not _Kind.DICT or [*now.content] == [*before.content])
+            )
+            for now, before in zip(objects, known, strict=True)
         )
         and all(others.get(item) == place for item, place in last.meant.items())
     )
+
+
+def _holds(read: Callable[[Any], Collection[object]], item: object, content: Collection[object]) -> bool:
+    try:
+        return all(map(is_, read(item), content))
+    except AttributeError:
+        return False
+
+
+def _has_same(item: Mapping[object, object], content: Mapping[object, object]) -> bool:
+    return _are_same(item, content) and all(map(is_, item.values(), content.values()))
+
+
+def _are_same(some: Collection[object], others: Collection[object]) -> bool:
+    return len(some) == len(others) and all(map(is_, some, others))
 
 
 def _reading(names: Sequence[str]) -> Callable[[Any], tuple[object, ...]]:
@@ -361,7 +456,7 @@ def _attributes(item: Any, kind: _Class) -> tuple[Any, Iterable[object]]:
 
 def _counted(value: Any) -> object:
     """A counter as its next number, any other value as it is."""
-    return _Count(int(next(iter(value.__reduce__()[1])))) if type(value) is _COUNT else value
+    return _count(int(next(iter(value.__reduce__()[1])))) if type(value) is _COUNT else value
 
 
 @dataclass(frozen=True, slots=True)
@@ -369,6 +464,9 @@ class _Count:
     """A counter, by its next number."""
 
     next: int
+
+
+_count = lru_cache(_Count)
 
 
 def _inside(call: Any) -> list[object]:
@@ -410,21 +508,82 @@ _PUT: Mapping[_Kind, Callable[[Any, _Class, Any], None]] = {
 }
 
 
+class _Depends(Exception):
+    """What makes a difference in an object cannot be said without its atoms, or may change."""
+
+
+_IS_SAME: Mapping[_Kind, Callable[[Any, Any], bool]] = {
+    _Kind.LIST: _are_same,
+    _Kind.SET: _are_same,
+    _Kind.DICT: _has_same,
+}
+
+
 class _Keying:
     """Makes the shape of one section."""
 
-    def __init__(self, memory: Memory, objects: _Held, others: Mapping[int, tuple[int, int]]) -> None:
+    def __init__(
+        self, memory: Memory, places: Mapping[int, int], others: Mapping[int, tuple[int, int]]
+    ) -> None:
         self._memory = memory
-        self._objects = objects
+        self._places = places
         self._others = others
-        self.places = {id(item): place for place, (item, _, _) in enumerate(objects)}
+        self._atoms: list[_Atom] | None = None
+        """The atoms of an object, for each of which there is a slot; None: they stand there themselves."""
         self.names: dict[tuple[str, int], int] = {}
         self.meant: dict[int, tuple[int, int]] = {}
 
-    def shape(self) -> bytes:
-        found = tuple([self._object(*item) for item in self._objects])
+    def shape(self, objects: Iterable[_Held]) -> bytes:
+        # What has no atoms is what it was.
+        found = tuple([held.shape if held.atoms == () else self._known(held) for held in objects])
         # The second version writes equal values equally.
         return blake2b(marshal.dumps(cast(Any, found), 2), digest_size=16).digest()
+
+    def _known(self, held: _Held) -> object:
+        """What makes a difference in an object; most of it is made once."""
+        if held.atoms is None:
+            self._find(held)
+        if held.atoms is not None:
+            found = self._found(held.atoms)
+            if found is not None:
+                return (held.shape, found) if found else held.shape
+        return self._object(held.item, held.kind, held.content)
+
+    def _find(self, held: _Held) -> None:
+        if held.kind.kind is _Kind.CHART or self._memory.ordered(type(held.item)) is not None:
+            return
+        self._atoms = []
+        try:
+            shape = self._object(held.item, held.kind, held.content)
+            held.shape, held.atoms = marshal.dumps(cast(Any, shape), 2), tuple(self._atoms)
+        except _Depends:
+            pass
+        finally:
+            self._atoms = None
+
+    def _found(self, atoms: Iterable[_Atom]) -> tuple[object, ...] | None:
+        """What stands in the slots; None if an object is meant that does not belong to the team here."""
+        names = self.names
+        found: list[object] = []
+        for atom in atoms:
+            if type(atom) is tuple:
+                found.append(names.setdefault(atom, len(names)))
+                continue
+            place = self._place(cast(int, atom))
+            if place is None:
+                return None
+            found.append(place)
+        return tuple(found)
+
+    def _place(self, meant: int) -> object:
+        """Where an object stands; None if it does not belong to the team."""
+        place = self._places.get(meant)
+        if place is not None:
+            return place
+        other = self._others.get(meant)
+        if other is not None:
+            self.meant[meant] = other
+        return other
 
     def _object(self, item: object, kind: _Class, content: Any) -> object:
         if not content:  # what holds nothing
@@ -434,22 +593,38 @@ class _Keying:
             case _Kind.LIST:
                 return tuple([value(part) for part in content])
             case _Kind.DICT:
-                return tuple([(value(name), value(part)) for name, part in _sorted(content)])
+                return tuple(
+                    [
+                        (value(name), part if type(part) in _SIMPLE else value(part))
+                        for name, part in _sorted(content)
+                    ]
+                )
             case _Kind.SET:
-                return tuple(sorted(map(repr, map(value, content))))
+                return self._set(content)
             case _Kind.CHART:
                 return self._chart(item, content)
             case _:
                 held = content.items() if kind.has_dict else zip(kind.names, content, strict=True)
-                found = [value(part) for name, part in held if name not in kind.unkeyed]
+                found = [
+                    part if type(part) in _SIMPLE else value(part)
+                    for name, part in held
+                    if name not in kind.unkeyed
+                ]
                 order = self._memory.ordered(type(item))
                 return tuple(found) if order is None else (*found, value(order(item)))
 
+    def _set(self, content: Iterable[object]) -> object:
+        """A set by its members in an order that depends on their atoms."""
+        known = 0 if self._atoms is None else len(self._atoms)
+        found = tuple(sorted(map(repr, map(self._value, content))))
+        if self._atoms is not None and len(self._atoms) > known:
+            raise _Depends
+        return found
+
     def _chart(self, item: Any, saved: Saved) -> object:
-        names = type(item).places
-        values = [
-            self._value(part) for name, part in zip(names, saved.values, strict=True) if not _is_token(name)
-        ]
+        value = self._value
+        kept = itertools.compress(saved.values, _not_tokens(type(item).places))
+        values = [part if type(part) in _SIMPLE else value(part) for part in kept]
         boards = [None if board is None else self._board(whole(board)) for board in saved.boards]
         return tuple(values), tuple(boards), self._value(tuple(saved.seldom))
 
@@ -463,19 +638,18 @@ class _Keying:
         if kind is str:
             return self._text(value)
         if kind is frozenset:
-            return tuple(sorted(map(repr, map(self._value, value)))) if value else ()
+            return self._set(value) if value else ()
         if kind is tuple:
             if len(value) == 2 and type(value[1]) is int and self._is_sender(value[0]):
                 return value[0], self._renamed(f"{value[0]}-", value[1])  # an identity
             return tuple([self._value(part) for part in value])
-        place = self.places.get(id(value))
-        if place is not None:
+        place = self._place(id(value))
+        if place is None:
+            return self._other(value)
+        if self._atoms is None:
             return "@", place
-        other = self._others.get(id(value))
-        if other is not None:
-            self.meant[id(value)] = other
-            return "@", *other
-        return self._other(value)
+        self._atoms.append(id(value))
+        return "@", ...
 
     def _is_sender(self, value: object) -> bool:
         return type(value) is str and value in self._memory.senders
@@ -494,12 +668,16 @@ class _Keying:
             return tuple([self._value(part) for part in value])
         if isinstance(value, partial | MethodType | FunctionType):
             call: Any = value.func if isinstance(value, partial) else value
+            if self._atoms is not None and isinstance(call, FunctionType) and call.__closure__:
+                raise _Depends  # it may set what it refers to
             return (getattr(call, "__qualname__", ""), *map(self._value, _inside(value)))
         kind = self._memory.class_of(type(value))
         if kind.kind is _Kind.VALUE:
             return (type(value).__name__, *(self._value(getattr(value, name)) for name in kind.names))
         if kind.kind is _Kind.PLAIN:
             return type(value).__name__
+        if self._atoms is not None:
+            raise _Depends  # elsewhere, it may belong to the team
         if is_dataclass(value):  # a message
             return (type(value).__name__, *(self._value(getattr(value, item.name)) for item in fields(value)))
         return type(value).__name__
@@ -508,8 +686,17 @@ class _Keying:
         found = self._memory.numbered(text)
         return text if found is None else (found[0], self._renamed(*found))
 
-    def _renamed(self, name: str, number: int) -> int:
+    def _renamed(self, name: str, number: int) -> object:
+        if self._atoms is not None:
+            self._atoms.append((name, number))
+            return ...
         return self.names.setdefault((name, number), len(self.names))
+
+
+@lru_cache
+def _not_tokens(places: tuple[str, ...]) -> tuple[bool, ...]:
+    """Which of the places of a chart are none of tokens."""
+    return tuple(not _is_token(name) for name in places)
 
 
 def _is_token(name: str) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import field
 from heapq import heappop, heappush
-from time import process_time
+from time import monotonic, process_time
 
 from aseme_dsl.proofs.explore.explored import Circling, Explored, Letter, Move
 from aseme_dsl.proofs.explore.memory import Picture
@@ -222,6 +222,22 @@ class Agenda:
         return heappop(self._waiting)[1] if self._waiting else None
 
 
+class Clock:
+    """Tells when so many seconds of the processor's time have passed; it may be asked very often."""
+
+    def __init__(self, seconds: float) -> None:
+        self._until = process_time() + seconds
+        self._next = 0.0
+
+    def is_over(self) -> bool:
+        """Whether they have passed, or will within a hundredth of a second."""
+        now = monotonic()
+        if now < self._next:  # to ask for the processor's time takes long
+            return False
+        self._next = now + 0.01
+        return process_time() > self._until
+
+
 class _Search:
     def __init__(
         self,
@@ -246,7 +262,7 @@ class _Search:
         self._numbers: dict[bytes, int] = {}
         self._crowded: set[int] = set()
         """The states from which the search does not continue, as too many messages are on their way."""
-        self._until = process_time() + limits.seconds
+        self._clock = Clock(limits.seconds)
 
     def run(self) -> Graph:
         graph = self._graph
@@ -271,7 +287,7 @@ class _Search:
             return ENOUGH
         if len(self._graph.parents) >= self._limits.states:
             return f"{self._limits.states} states"
-        if process_time() > self._until:
+        if self._clock.is_over():
             return self._limits.time
         return None
 
@@ -282,7 +298,7 @@ class _Search:
         for _ in begun:
             if self._is_enough(self._graph):
                 break
-            if self._agenda.has_better(state) or process_time() > self._until:
+            if self._agenda.has_better(state) or self._clock.is_over():
                 self._begun[state] = begun
                 self._agenda.put_back(state)
                 break
@@ -407,6 +423,7 @@ __all__ = [
     "ENOUGH",
     "NEW",
     "Agenda",
+    "Clock",
     "Edge",
     "Eyes",
     "Graph",

@@ -10,10 +10,19 @@ Nothing happens later than it must: from a state, time passes at most until the 
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from time import process_time
 
 from aseme_dsl.proofs.explore.explored import Circling, Explored, Move
-from aseme_dsl.proofs.explore.search import Agenda, Arrival, Eyes, Graph, Limits, Monitors, Sighting, Step
+from aseme_dsl.proofs.explore.search import (
+    Agenda,
+    Arrival,
+    Clock,
+    Eyes,
+    Graph,
+    Limits,
+    Monitors,
+    Sighting,
+    Step,
+)
 from aseme_dsl.proofs.timed.stamp import Mark, Window
 from aseme_dsl.proofs.timed.zone import (
     Zone,
@@ -100,7 +109,7 @@ class _Search:
         self._zones: list[Zone] = []
         self._crowded: set[int] = set()
         self._known: dict[tuple[bytes, tuple[str, ...]], list[_Known]] = {}
-        self._until = process_time() + limits.seconds
+        self._clock = Clock(limits.seconds)
 
     def run(self) -> Graph:
         graph = self._graph
@@ -117,7 +126,7 @@ class _Search:
                 graph.cut = "what was asked for is refuted"
             elif len(graph.parents) >= self._limits.states:
                 graph.cut = f"{self._limits.states} states"
-            elif process_time() > self._until:
+            elif self._clock.is_over():
                 graph.cut = self._limits.time
             if graph.cut is not None:
                 break
