@@ -10,6 +10,7 @@ from aseme_dsl.proofs.explore.deciding.choosing import Choices
 from aseme_dsl.proofs.explore.deciding.later import Content, Contents, Later, content_of
 from aseme_dsl.proofs.explore.deciding.staging import by_lines_of, copied
 from aseme_dsl.proofs.explore.needed import Needed
+from aseme_dsl.proofs.explore.reducing.faded import faded_in
 from aseme_dsl.proofs.explore.surroundings import NOW
 from aseme_dsl.runtime.agent.agent import Agent
 from aseme_dsl.runtime.channel.bus import Bus
@@ -49,6 +50,8 @@ class Coming:
         self._of_modules = frozenset(of_modules)
         self._plans = list({agent.role: agent.plan for agent in agents}.values())
         self._kept = frozenset(told).union(*map(copied, self._plans))
+        timeless = not is_timed and alone is None
+        self._faded = {plan.name: faded_in(plan) if timeless else {} for plan in self._plans}
         self._is_asked = is_asked
         self._has = has
         self._alone = alone
@@ -277,6 +280,15 @@ class Coming:
                     self._later.forget(item.message)
         if agent.chart.started and not (agent.over or agent.down):
             self._stand(agent)
+        self._fade(agent)
+
+    def _fade(self, agent: Agent) -> None:
+        """Forget what messages say that are too old for anything to ask for it."""
+        for channel, age in self._faded[agent.role].items():
+            for board in _boards(agent, channel):
+                item = board.newest(channel)
+                if item is not None and NOW - item.time >= age:
+                    self._later.fade(item.message)
 
     def _drop(self, agent: Agent) -> None:
         """What came to an agent alone may be there, or not, whenever it looks for it."""

@@ -31,6 +31,7 @@ from aseme_dsl.proofs.explore.memory import Memory, Picture
 from aseme_dsl.proofs.explore.needed import Asked, needed_for
 from aseme_dsl.proofs.explore.on_the_way import Came, come, letter_of, sample_of
 from aseme_dsl.proofs.explore.reducing.spent import Spent
+from aseme_dsl.proofs.explore.reducing.steady import Steady
 from aseme_dsl.proofs.explore.relevant import Relevant
 from aseme_dsl.proofs.explore.surroundings import NOW, Still, Underway, Ways
 from aseme_dsl.proofs.explore.team_layout import layout_of
@@ -97,6 +98,8 @@ class Move:
     """Whether time passes."""
     window: Window | None = None
     """When it happens, where that is not at any time."""
+    is_idle: bool = False
+    """Whether another move has all of its outcomes but one, in which it leads back."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -186,7 +189,8 @@ class Explored:
         self.order = Order(self.choices)
         self.order.asks = lambda: self._is_moving
         self._is_moving = False
-        self.later = Later(self.choices, self.values, self._outcomes, self.order)
+        known_outside = told if alone is None else frozenset(loaded.messages)
+        self.later = Later(self.choices, self.values, self._outcomes, self.order, known_outside)
         contents = Contents(self.choices, self.values, self.later, loaded.messages, told, self.order)
         is_asked = asked_in(plans, told)
         self._acting = acting = Acting(
@@ -231,6 +235,7 @@ class Explored:
             alone,
             with_times,
         )
+        self._steady = Steady(plans, coming, acting, with_times or alone is not None, assumed.fails)
         self._events = {plan.name: events(plan) for plan in plans}
         self._ages = {plan.name: thresholds_of(plan)[0] for plan in plans}
         own = {agent.role: coming.own(agent) for agent in self.agents}
@@ -504,7 +509,7 @@ class Explored:
         self.sent.clear()
         self.came = None
         self._touched.clear()
-        self._outcomes.begin()
+        self._outcomes.begin(is_quiet=move.is_idle)
         self.coming.begin()
         self._is_moving = True
         try:
@@ -550,7 +555,8 @@ class Explored:
             kind = ("end", execution.agent, execution.label)
             text = f"{execution.agent}: {execution.activity} ends"
             when = self._lasting(execution)
-            yield Move(kind, text, partial(self._end, execution), execution.agent, window=when)
+            end, is_idle = partial(self._end, execution), self._steady.is_idle(execution)
+            yield Move(kind, text, end, execution.agent, window=when, is_idle=is_idle)
             if execution.activity in self._assumed.fails:
                 kind = ("fail", execution.agent, execution.label)
                 text = f"{execution.agent}: {execution.activity} fails"

@@ -151,7 +151,7 @@ class _Search:
                 if state.activity in writers:
                     region = region_of(plan, state.label)
                     around = plan.by_label[region].parent
-                    if is_own and around is not None and _is_steady(plan, region):
+                    if is_own and around is not None and is_steady(plan, region):
                         region = region_of(plan, around)
                     self._add(plan, region)
             for item in plan.transitions:
@@ -228,7 +228,7 @@ def _called(plan: Plan, name: str) -> Iterator[str]:
     return (state.label for state in plan.states if name in (state.name, state.activity, state.label))
 
 
-def _is_steady(plan: Plan, region: str) -> bool:
+def is_steady(plan: Plan, region: str) -> bool:
     """Whether a region is one activity that is begun anew for ever."""
     inside = [state for state in plan.states if is_in(state.label, region)]
     is_free = all(
@@ -282,4 +282,4 @@ def _reaches_end(plan: Plan, label: str) -> bool:
     return False
 
 
-__all__ = ["Asked", "Needed", "can_end", "needed_for", "region_of"]
+__all__ = ["Asked", "Needed", "can_end", "is_steady", "needed_for", "region_of"]

@@ -41,6 +41,7 @@ class Relevant:
         self._gone: dict[tuple[object, ...], _Gone] = {}
         """What makes no difference, by the active leaves and the values of variables that lines write."""
         self._asks: dict[int | str, _Names] = {}
+        self._who: dict[str, tuple[int | str, ...]] = {}
         self._fresh: Chart | None = None
 
     def forget(self, chart: Chart, unknown: object) -> None:
@@ -127,15 +128,22 @@ class Relevant:
         found = _Reads.NO
         for leaf in leaves:
             ahead = self._from(leaf, scope)
-            for place in (*ahead, *range(len(self._plan.transitions))):
-                if isinstance(place, int) and self._plan.transitions[place].source not in ahead:
-                    continue
-                if {variable, name}.isdisjoint(self._asked(place).variables):
+            for place in self._askers(variable, name):
+                if (place if isinstance(place, str) else self._plan.transitions[place].source) not in ahead:
                     continue
                 if isinstance(place, str) or not self._never.is_never(chart, place, leaf, scope, without):
                     return _Reads.YES
                 found = _Reads.IN_VAIN
         return found
+
+    def _askers(self, variable: str, name: str) -> tuple[int | str, ...]:
+        """The transitions and activities that ask for a variable."""
+        if variable not in self._who:
+            places = (*(state.label for state in self._plan.states), *range(len(self._plan.transitions)))
+            self._who[variable] = tuple(
+                place for place in places if not {variable, name}.isdisjoint(self._asked(place).variables)
+            )
+        return self._who[variable]
 
     def _initial(self, chart: Chart, slot: str) -> object:
         """What an attribute holds in a new chart."""

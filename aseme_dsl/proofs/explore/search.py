@@ -320,6 +320,8 @@ class _Search:
             while True:
                 explored.take_back(picture)
                 edges += self._make(state, number, move, letters)
+                if move.is_idle and edges[-1].target == state:
+                    break
                 kept = explored.choices.kept()
                 yield
                 if self._is_elsewhere:

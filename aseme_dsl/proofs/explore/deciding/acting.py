@@ -83,7 +83,7 @@ class Acting:
             for *_, states, _ in agent.branch_info(execution.branch).moves
             for state in states
         )
-        writes = any(self._matters(channel) and not self._is_new(agent, channel) for channel in info.writes)
+        writes = any(self.matters(channel) and not self._is_new(agent, channel) for channel in info.writes)
         return bool(sets or writes or sends)
 
     def written(self, agent: Agent, execution: Execution, *, is_end: bool) -> list[str]:
@@ -174,7 +174,7 @@ class Acting:
 
     def _publish(self, agent: Agent, execution: Execution, channel: str) -> None:
         message = channel.rpartition(".")[2]
-        if not self._matters(channel):
+        if not self.matters(channel):
             return
         text = f"{execution.activity} publishes {message}"
         if self._choices.of(("publish", channel), (None, True), text):
@@ -186,7 +186,7 @@ class Acting:
             else:  # what is decided later is of another class than the plan's
                 agent.requests.perform(execution, doing)
 
-    def _matters(self, channel: str) -> bool:
+    def matters(self, channel: str) -> bool:
         """Whether it matters that an activity publishes on a channel."""
         return self.publishes and self._is_asked(channel)
 

@@ -12,7 +12,7 @@ from aseme_dsl.proofs.explore.deciding.choosing import Choices
 from aseme_dsl.proofs.explore.deciding.order import AnyNumber, Order
 from aseme_dsl.proofs.explore.deciding.outcomes import Outcomes
 from aseme_dsl.proofs.explore.deciding.unread import Path, Unread, place_of, unread, unread_class
-from aseme_dsl.proofs.explore.deciding.values import Values
+from aseme_dsl.proofs.explore.deciding.values import Place, Values
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan
 
@@ -44,7 +44,11 @@ _PLAIN = {
 class Later:
     """Makes contents whose members are decided when they are read."""
 
-    def __init__(self, choices: Choices, values: Values, outcomes: Outcomes, order: Order) -> None:
+    def __init__(
+        self, choices: Choices, values: Values, outcomes: Outcomes, order: Order, told: Collection[str]
+    ) -> None:
+        """Properties ask for messages of the types `told`."""
+        self._told = told
         self._outcomes = outcomes
         self._order = order
         self.forgotten: dict[int, Container[Path]] = {}
@@ -53,6 +57,8 @@ class Later:
         self._values = values
         self._alike: dict[tuple[str, Path], object] = {}
         """What stands for numbers that are only compared with each other, by type and path."""
+        self._like: dict[tuple[str, Path], tuple[Place, Mapping[object, tuple[object, ...]]]] = {}
+        """The numbers that may change places, by type and path."""
         self._noted: set[tuple[str, Path]] = set()
         self.decided = Decided()
         self._kinds: dict[type[object], type[object]] = {}
@@ -82,6 +88,13 @@ class Later:
             for key in [key for key in values if key[0] == content.number and key[2] not in kept]:
                 del values[key]
 
+    def fade(self, message: object) -> None:
+        """Nothing asks any more what a message says."""
+        content = content_of(message)
+        if content is not None:
+            for key in [key for key in self.decided.values if key[0] == content.number]:
+                del self.decided.values[key]
+
     def keep(self, numbers: Collection[int]) -> bool:
         """Forget what was decided of all contents, and is known of all numbers, but these; whether there was
         anything to forget."""
@@ -98,14 +111,31 @@ class Later:
         places = {number: place for place, number in enumerate(numbers)}
         values = self.decided.values
         found: list[object] = []
+        names: dict[tuple[Place, object], object] = {}
         for number in [*places]:
             own = sorted((path, kind) for other, kind, path in values if other == number)
             for path, kind in own:
                 value = values[number, kind, path]
                 if type(value) is AnyNumber:
                     value = places.setdefault(value.number, len(places)), value.offset
+                else:
+                    value = self._named(kind, path, value, names)
                 found.append((places[number], path, value))
         return f"{found} {self._order.shown([number for number in places if number < 0])}"
+
+    def _named(
+        self, kind: str, path: Path, value: object, names: dict[tuple[Place, object], object]
+    ) -> object:
+        """The same for numbers that may change places: in the order of their occurrence in the `names`."""
+        if (kind, path) not in self._like:
+            self._like[kind, path] = self._values.like(kind, path, self._told)
+        root, like = self._like[kind, path]
+        others = like.get(value)
+        if others is None:
+            return value
+        if (root, value) not in names:
+            names[root, value] = others[sum((root, other) in names for other in others)]
+        return names[root, value]
 
     def decide(self, content: Content, path: Path) -> object:
         """What a member holds."""

@@ -40,9 +40,11 @@ class Outcomes:
         self._place = 0
         self._splits = 0
         self._mark = 0
+        self._is_quiet = False
 
-    def begin(self) -> None:
-        """A move is made."""
+    def begin(self, *, is_quiet: bool = False) -> None:
+        """A move is made; `is_quiet`: first that in which no condition is true."""
+        self._is_quiet = is_quiet
         self._group = [{}]
         self._texts.clear()
         self._now = None
@@ -87,7 +89,7 @@ class Outcomes:
                         break
         finally:
             self._now = None
-        is_true = self._split(tuple(sorted(found, reverse=True)))
+        is_true = self._split(tuple(sorted(found, reverse=not self._is_quiet)))
         group = found[is_true]
         if len(group) > MOST:
             parts = range(0, len(group), MOST)

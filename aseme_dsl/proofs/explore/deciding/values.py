@@ -7,7 +7,7 @@ for a few values only. Every answer names these.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import field
 from enum import IntEnum
 from itertools import count, islice, pairwise, product
@@ -184,6 +184,37 @@ class Values:
         places = [place for place in self._parents if self._root(place) == root] + [root]
         is_free = all(place[0] in self._messages and place[0] not in self._by_lines for place in places)
         return root if is_free and dict(_members(self._messages[message]))[path] is int else None
+
+    def like(
+        self, message: str, path: tuple[str, ...], told: Collection[str]
+    ) -> tuple[Place, Mapping[object, tuple[object, ...]]]:
+        """What stands for the class of a member, and the numbers in it that may change places, with those
+        with which each may.
+
+        Conditions ask only how they compare with constants, and whether two are equal. There are none if
+        something else asks for messages of the class, which are of types `told`. Nor if lines of the document
+        fill them, compute with them or compare them as a whole.
+        """
+        root = self._root((message, path))
+        known = self._classes.get(root, _Class())
+        places = [place for place in self._parents if self._root(place) == root] + [root]
+        if (
+            dict(_members(self._messages[message]))[path] is not int
+            or any(place[0] not in self._messages or place in self.fixed for place in places)
+            or any(place[0] in self._by_lines or place[0] in told for place in places)
+            or any(self.tried(place[0]) is None for place in places)
+            or known.is_computed
+            or known.is_ordered
+            or known.near
+            or not all(isinstance(item, int | float) for item in known.constants)
+        ):
+            return root, {}
+        ends = sorted({*(cast("float", item) for item in known.constants), *(end for _, end in known.signs)})
+        groups: dict[tuple[bool, ...], list[object]] = {}
+        for value in self._tried(int, known).values:
+            if isinstance(value, int) and value not in ends:
+                groups.setdefault(tuple(value > end for end in ends), []).append(value)
+        return root, {value: tuple(group) for group in groups.values() for value in group if len(group) > 1}
 
     def note(self, message: str, path: tuple[str, ...]) -> None:
         """One of what is tried for a member is decided: it is said if these are not all."""
@@ -568,4 +599,4 @@ def _default(kind: object) -> object:
     return kind() if callable(kind) else None
 
 
-__all__ = ["Condition", "Tried", "Values", "enums_of"]
+__all__ = ["Condition", "Place", "Tried", "Values", "enums_of"]

@@ -41,6 +41,8 @@ class Never:
         """The variables that lines alone write, and that conditions compare with constants."""
         self._may_be: dict[tuple[str, str, str | None], frozenset[object] | None] = {}
         self._known: dict[tuple[object, ...], bool] = {}
+        self._names: dict[int, tuple[str, ...]] = {}
+        """The variables of which the condition of a transition asks."""
 
     def values(self, chart: Chart) -> tuple[object, ...]:
         """What the variables hold that say whether a transition can be taken again."""
@@ -59,7 +61,11 @@ class Never:
         condition = self._plan.transitions[number].condition
         if condition is None:
             return False
-        key = number, leaf, scope, without, self.values(chart)
+        names = self._names.get(number)
+        if names is None:
+            found_names = (name for name in _compared(condition) if name in self._variables)
+            names = self._names[number] = tuple(dict.fromkeys(found_names))
+        key = number, leaf, scope, without, tuple([_held(chart, name) for name in names])
         found = self._known.get(key)
         if found is None:
             found = self._known[key] = True not in self._truth(condition, chart, leaf, scope, without)

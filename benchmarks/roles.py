@@ -1,0 +1,66 @@
+"""How long it takes to explore each role alone: `python -m benchmarks.roles [TARGET …] [--seconds S]`.
+
+A team of one agent of the role is explored as `asemec prove` explores a team, with nothing asked. A line has
+the states that were found, the moves that were made, and the seconds of the processor's time. A search is cut
+after so many seconds; then the line says of how many states all moves were made. Default: all examples.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from tempfile import TemporaryDirectory
+from time import process_time
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT))
+
+from aseme_dsl.project.building.build import choose  # noqa: E402
+from aseme_dsl.project.building.project import compile_root  # noqa: E402
+from aseme_dsl.project.playing.operate import generate_version, loaded_for  # noqa: E402
+from aseme_dsl.proofs.explore.explored import Assumed, Explored  # noqa: E402
+from aseme_dsl.proofs.explore.search import Eyes, Limits, search  # noqa: E402
+from aseme_dsl.runtime.version.loading import Loaded  # noqa: E402
+
+
+def roots(targets: list[Path]) -> Iterator[Path]:
+    """The files of the targets: projects or files."""
+    for target in targets:
+        yield from [target] if target.is_file() else sorted(target.glob("*.aseme"))
+
+
+def explored(loaded: Loaded, role: str, seconds: float) -> str:
+    """What the search of one role has found."""
+    eyes = Eyes()
+    begun = process_time()
+    team = Explored(loaded, ((role, role),), Assumed(), [eyes])
+    graph = search(team, eyes, None, Limits(states=1_000_000, seconds=seconds))
+    took = process_time() - begun
+    end = "whole" if graph.cut is None else f"cut, {len(graph.edges)} states done"
+    end += f"; left out: {team.left_out}" if team.left_out else ""
+    return f"{len(graph.parents):7} states {graph.moves:8} moves {took:7.2f} s  {end}"
+
+
+def main() -> int:
+    """Print a line for each role."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("target", nargs="*", type=Path, default=sorted((ROOT / "examples").iterdir()))
+    parser.add_argument("--seconds", type=float, default=8.0, help="a search of a role is cut after so many")
+    options = parser.parse_args()
+    for root in roots(options.target):
+        compiled = compile_root(root)
+        if compiled.system is None:
+            print(f"{root}: it does not compile", file=sys.stderr)
+            return 1
+        with TemporaryDirectory(prefix="roles-") as folder:
+            package, _ = generate_version(compiled.system, Path(folder), choose(compiled.configuration))
+            loaded = loaded_for(package, compiled.configuration.folder.resolve())
+            for role in loaded.charts:
+                print(f"{root.stem:14} {role:14} {explored(loaded, role, options.seconds)}", flush=True)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
