@@ -8,13 +8,13 @@ from __future__ import annotations
 import ast
 from collections.abc import Collection, Iterator, Mapping
 
-from aseme_dsl.amola.statechart import Statechart
+from aseme_dsl.amola.statechart import State, Statechart, StateType
 from aseme_dsl.amola.system import System
 from aseme_dsl.codegen.opening import openings_of
-from aseme_dsl.compiler.checks.talk.preparing import bare_sends, with_defaults
+from aseme_dsl.compiler.checks.talk.preparing import ACTIVITY, all_bare_sends, bare_sends, with_defaults
 from aseme_dsl.compiler.read.library import is_of_library
 from aseme_dsl.diagnostics import Diagnostic
-from aseme_dsl.diagnostics.problems.talk import ContentNotPreparedInCode
+from aseme_dsl.diagnostics.problems.talk import ContentNotPrepared, ContentNotPreparedInCode
 from aseme_dsl.source import Span
 
 Prepared = Mapping[str, frozenset[str] | None]
@@ -49,6 +49,7 @@ def never_prepared(system: System, prepared: Prepared) -> Iterator[Diagnostic]:
     """W576 for a `send` without content, where there is code of all that runs before and none prepares it.
 
     The opening message may also be prepared before the part begins: there all activities of the role count.
+    Where none can have run yet, and an activity of the part has code, no code prepares it either.
     """
     known = {item.name for item in system.messages}
     sure = {name: types for name, types in prepared.items() if types is not None and types <= known}
@@ -58,6 +59,36 @@ def never_prepared(system: System, prepared: Prepared) -> Iterator[Diagnostic]:
             if (place, problem.activities) not in told:
                 told.add((place, problem.activities))
                 yield Diagnostic(problem, place, edits=with_defaults(place))
+    places = {place for place, _ in told}
+    for chart in system.iacs:
+        for unprepared, place in _before_all(system, chart, prepared):
+            if place not in places:
+                places.add(place)
+                yield Diagnostic(unprepared, place, edits=with_defaults(place))
+
+
+def _before_all(
+    system: System, chart: Statechart, prepared: Prepared
+) -> Iterator[tuple[ContentNotPrepared, Span]]:
+    """What opens a conversation before any activity of the role can have run: a part with code fails then."""
+    for way, send, there in all_bare_sends(chart, chart.root):
+        branch = chart.branch_of(way.source)
+        if branch is None or any(name.startswith(ACTIVITY) for name in there):
+            continue
+        inside = [node.activity for node in chart.states if node.label.startswith(f"{branch}.")]
+        if is_of_library(send.span.source) or not any(name in prepared for name in inside):
+            continue
+        if _is_invited(system, chart.node(branch)) is False:
+            ends = chart.node(way.target).type is StateType.END
+            yield ContentNotPrepared(send.performative, send.message, ends), send.span
+
+
+def _is_invited(system: System, branch: State) -> bool | None:
+    """Whether a participant joins conversations that others open; None if it is none."""
+    eac = system.eac(branch.origin.owner)
+    aip = next((item for item in system.aips if item.name == branch.origin.owner), None)
+    part = aip.participant(branch.origin.name) if aip is not None else None
+    return None if eac is None or part is None else bool(openings_of(eac, part))
 
 
 def _in_role(
@@ -67,12 +98,9 @@ def _in_role(
     for branch in chart.states:
         if not chart.is_branch(branch):
             continue
-        eac = system.eac(branch.origin.owner)
-        aip = next((item for item in system.aips if item.name == branch.origin.owner), None)
-        part = aip.participant(branch.origin.name) if aip is not None else None
-        if eac is None or part is None:
+        is_invited = _is_invited(system, branch)
+        if is_invited is None:
             continue
-        is_invited = bool(openings_of(eac, part))
         for way, send, activities in bare_sends(chart, branch):
             before = activities if is_invited else everywhere
             if chart.branch_of(way.source) != branch.label or is_of_library(send.span.source):

@@ -202,3 +202,39 @@ def test_a_simulated_activity_prepares_defaults(tmp_path: Path) -> None:
     text = SENT.replace("robot = cook . Rest }", "robot = cook . Rest }  activities { Wait takes 1s }")
     (tmp_path / "boil.py").write_text("class Boil:\n    def execute(self, context):\n        pass\n", "utf-8")
     assert [item for item in check_code(system(text), tmp_path)[0] if item.code == "W576"] == []
+
+
+OPENS = """system Opens
+message Meal { int number }
+message Done { int number }
+aip talk {
+  participant boss { sends request Meal  receives inform Done  process = Wait . Close }
+  participant hand { receives request Meal  sends inform Done  process = Work . Tell }
+  control boss { enter Wait : / send request Meal to hand  enter Close : inform Done from hand }
+  control hand { enter Work : request Meal from boss  enter Tell : / send inform Done { number = 1 } to boss }
+}
+srm chief { plays talk.boss liveness { chief = boss } activities { Wait waits  Close takes 1s } }
+srm crew  { plays talk.hand liveness { crew = hand } activities { Work takes 1s  Tell takes 1s } }
+"""
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "is_told"),
+    [
+        pytest.param("", "", True, id="no activity of the role can have run"),
+        pytest.param("= boss }", "= Plan . boss }", False, id="an activity of the role has run"),
+        pytest.param("= boss }", "= [Plan] . boss }", False, id="one may have run"),
+        pytest.param("= boss }", "= boss || Plan }", False, id="one runs beside it"),
+        pytest.param("= boss }", "= boss~ }", False, id="the part before has prepared it"),
+        pytest.param("Close takes 1s", "Close takes 1s simulated", False, id="without code it says defaults"),
+        pytest.param("request Meal to", "request Meal { .. } to", False, id="it has content"),
+    ],
+)
+def test_what_opens_a_conversation_before_any_activity(
+    tmp_path: Path, old: str, new: str, is_told: bool
+) -> None:
+    (tmp_path / "close.py").write_text(f"class Close:\n    def execute(self, context):\n        {PREPARED}\n")
+    (tmp_path / "plan.py").write_text("class Plan:\n    def execute(self, context):\n        f(context)\n")
+    problems, _ = check_code(system(OPENS.replace(old, new, 1)), tmp_path)
+    told = [item.span.text for item in problems if item.code == "W576" and item.span is not None]
+    assert told == (["send request Meal to hand"] if is_told else [])

@@ -14,7 +14,7 @@ from aseme_dsl.diagnostics import Diagnostic, Edit
 from aseme_dsl.diagnostics.problems.talk import ContentNotPrepared
 from aseme_dsl.source import Span
 
-_ACTIVITY = "activity "
+ACTIVITY = "activity "
 """Stands before the name of an activity, which may prepare any message, among the types of messages."""
 _HEAD = re.compile(r"send\s+\w+\s+[\w.]+")
 """A `send` up to the place of its content."""
@@ -53,6 +53,14 @@ def bare_sends(eac: Statechart, subchart: State) -> Iterator[tuple[Transition, S
 
     Without anything before it, a `send` is left out: its content may come from outside of the part.
     """
+    for way, send, there in all_bare_sends(eac, subchart):
+        if there:
+            names = {name for name in there if name.startswith(ACTIVITY)}
+            yield way, send, frozenset(name.removeprefix(ACTIVITY) for name in names)
+
+
+def all_bare_sends(eac: Statechart, subchart: State) -> Iterator[tuple[Transition, Send, frozenset[str]]]:
+    """Each `send` without content that no message of its type comes before, with all that may come before."""
     within = f"{subchart.label}."
     nodes = [node for node in eac.states if node.label.startswith(within)]
     ways = [item for item in eac.transitions if item.source.startswith(within)]
@@ -81,9 +89,8 @@ def bare_sends(eac: Statechart, subchart: State) -> Iterator[tuple[Transition, S
         there |= {event.message for event in item.expression.events if isinstance(event, Received)}
         for action in item.expression.actions:
             if isinstance(action, Send):
-                if action.fills is None and there and action.message not in there:
-                    names = {name for name in there if name.startswith(_ACTIVITY)}
-                    yield item, action, frozenset(name.removeprefix(_ACTIVITY) for name in names)
+                if action.fills is None and action.message not in there:
+                    yield item, action, frozenset(there)
                 there.add(action.message)
 
 
@@ -103,11 +110,11 @@ def _inside(label: str, nodes: Iterable[State], ways: Iterable[Transition]) -> s
     found: set[str] = set()
     for node in nodes:
         if node.activity and (node.label == label or node.label.startswith(f"{label}.")):
-            found.add(f"{_ACTIVITY}{node.activity}")
+            found.add(f"{ACTIVITY}{node.activity}")
     for item in ways:
         if item.source.startswith(f"{label}."):
             found |= _said(item)
     return found
 
 
-__all__ = ["bare_sends", "check_prepared", "with_defaults"]
+__all__ = ["ACTIVITY", "all_bare_sends", "bare_sends", "check_prepared", "with_defaults"]
