@@ -110,6 +110,7 @@ _TABLE: dict[str, tuple[str, str]] = {
     "W201": ("warning", "activity without code or duration"),
     "W202": ("warning", "participant name used as an activity"),
     "W230": ("warning", "name similar to a functionality"),
+    "W231": ("warning", "message that the agent does not read"),
     # Formulas (E3xx)
     "E300": ("error", "recursive formula"),
     "E301": ("error", "duplicate formula"),

@@ -296,3 +296,46 @@ def test_a_variable_of_a_participant_that_is_played_once() -> None:
 )
 def test_what_does_not_go_together(body: str, found: list[tuple[str, str]]) -> None:
     assert problems(body) == found
+
+
+UNREAD = """system Pitch
+message Ball { int distance }
+topic vision { state Ball  signal Ball }
+let near = vision.state.Ball.distance < 10
+srm seer   { liveness { seer = Look . [Run] }  control seer { enter Run : [near]  skip Run : else } }
+srm writer { liveness { writer = Look . Run }
+  control writer { enter Run : / vision.state.Ball.distance = 3; write_messages.vision.state.Ball } }
+srm runner { liveness { runner = Run } }
+team Pitch { ann : seer  bob : runner  cid : writer }
+"""
+
+
+@pytest.mark.parametrize(
+    ("body", "place"),
+    [
+        pytest.param('property "p" { never bob has [near] }', "near", id="a let"),
+        pytest.param(
+            'property "p" { never runner has [vision.state.Ball.distance > 3 && near] }',
+            "vision.state.Ball.distance",
+            id="of a role, once",
+        ),
+        pytest.param(
+            'property "p" { never ann has [has(vision.signal.Ball)] }',
+            "vision.signal.Ball",
+            id="of another kind",
+        ),
+        pytest.param('scenario "s" { by 3s bob has [near] }', "near", id="in a scenario"),
+        pytest.param('property "p" { never ann has [near] }', None, id="it is read"),
+        pytest.param('property "p" { never cid has [near] }', None, id="its action fills it"),
+        pytest.param(
+            'property "p" { never bob has [near] }\n'
+            'scenario "s" { at 1s bob receives vision.state.Ball { distance = 3 }  by 3s bob has [near] }',
+            None,
+            id="a scenario gives it",
+        ),
+    ],
+)
+def test_a_condition_on_what_an_agent_does_not_read(body: str, place: str | None) -> None:
+    found = analyse(Source("pitch.aseme", UNREAD + body)).diagnostics
+    told = [item.span.text for item in found if item.code == "W231" and item.span is not None]
+    assert told == ([] if place is None else [place])

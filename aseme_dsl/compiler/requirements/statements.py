@@ -8,7 +8,7 @@ from dataclasses import field, fields, is_dataclass, replace
 from typing import assert_never
 
 from aseme_dsl.amola.aip import Aip
-from aseme_dsl.amola.expression import Fill, Raised, Value
+from aseme_dsl.amola.expression import Assign, Fill, Member, Raised, Value, walk
 from aseme_dsl.amola.liveness import names
 from aseme_dsl.amola.messages import BOOL, DOUBLE, DURATION, INT, Channel, Type
 from aseme_dsl.amola.srm import Activity
@@ -58,6 +58,8 @@ class Known:
     """Those of each role, and of the participants that it plays."""
     of_parts: Mapping[str, Mapping[str, tuple[str, Type]]]
     """The keys and types of the variables of participants of which a role has one of that name."""
+    held: Mapping[str, frozenset[Channel]]
+    """The channels that each role reads, or of which its actions fill messages."""
     aliases: frozenset[str]
     """Those of all files."""
 
@@ -99,6 +101,7 @@ def known_by(
         tuple(item.text for aip in aips for item in aip.outcomes),
         {role: _variables(chart) for role, chart in iacs.items() if chart is not None},
         {role: _of_parts(chart) for role, chart in iacs.items() if chart is not None},
+        {role: _held(chart) for role, chart in iacs.items() if chart is not None},
         aliases,
     )
 
@@ -114,6 +117,16 @@ def _of_parts(chart: Statechart) -> dict[str, tuple[str, Type]]:
         for item in chart.variables
         if "@" in item.name and names[name := item.name.partition("@")[0]] == 1
     }
+
+
+def _held(chart: Statechart) -> frozenset[Channel]:
+    actions = (action for item in chart.transitions for action in item.expression.actions)
+    filled = {
+        item.target.channel
+        for item in actions
+        if isinstance(item, Assign) and isinstance(item.target, Member)
+    }
+    return frozenset(filled.union(*(region.reads for region in chart.regions)))
 
 
 def _states(chart: Statechart, aliases: Iterable[str]) -> frozenset[str]:
@@ -168,12 +181,19 @@ def check_statements(
     introduced: dict[str, str] = {}
     for statements, _, _ in read:
         introduced |= {name: role for name, role in _introduced(statements).items() if role in known.states}
+    given = frozenset(_given(statements for statements, _, _ in read))
     found: list[Diagnostic] = []
     for (statements, wrong, is_property), (item, _) in zip(read, blocks, strict=True):
         own = introduced if is_property else _introduced(statements)
         agents = {**known.agents, **own} if is_property or not own else own
         check = Check(
-            known, agents, bool(own) and not is_property, is_damaged(item.span), is_read, not is_property
+            known,
+            agents,
+            bool(own) and not is_property,
+            is_damaged(item.span),
+            is_read,
+            not is_property,
+            given,
         )
         check.introduce(statements)
         for statement in statements:
@@ -281,6 +301,19 @@ def _aliases(file: tree.File) -> frozenset[str]:
     return frozenset(alias.text for alias in items if alias is not None)
 
 
+def _given(statements: Iterable[object]) -> Iterator[str]:
+    """The last names of the messages that statements give, wherever they stand in them."""
+    todo = list(statements)
+    while todo:
+        node = todo.pop()
+        if isinstance(node, tuple):
+            todo += node
+        elif isinstance(node, nodes.Filled):
+            yield node.what.segments[-1].text.rpartition("_")[2]
+        elif is_dataclass(node) and type(node).__module__ == nodes.__name__:
+            todo += (getattr(node, one.name) for one in fields(node))
+
+
 def only_agent(item: object) -> tree.Name | None:
     """The agent of a sentence, if it has one only: what its bare conditions are about."""
     found: dict[str, tree.Name] = {}
@@ -359,6 +392,8 @@ class Check:
     is_broken: bool
     is_read: bool
     is_scenario: bool = False
+    given: frozenset[str] = frozenset()
+    """The last names of what scenarios give to agents, or let activities write."""
     found: list[Diagnostic] = field(default_factory=list)
     parameters: dict[str, Type | None] = field(default_factory=dict)
     chosen: set[str] = field(default_factory=set)
@@ -683,7 +718,21 @@ class Check:
         if len(segments) == 3 and self.known.top.symbols.topic(segments[0].text) is not None:
             self._report(problems.MessageAlone(written.span.text), written)
             return
-        self.value(written, role, BOOL)
+        value = self.value(written, role, BOOL)
+        if value is not None and self.is_read and role is not None and role in self.known.held:
+            self._is_held(value, role, written.span)
+
+    def _is_held(self, value: Value, role: str, place: Span) -> None:
+        """W231 for a message that an agent of the role never has; of each channel once."""
+        told: set[Channel] = set()
+        for part in walk(value):
+            if not isinstance(part, Member) or part.channel in told | self.known.held[role]:
+                continue
+            told.add(part.channel)
+            if str(part.channel).rpartition(".")[2].rpartition("_")[2] not in self.given:
+                problem = problems.NeverHasMessage(role, str(part.channel))
+                is_here = part.span.source is place.source and place.start <= part.span.start < place.end
+                self.found.append(Diagnostic(problem, part.span if is_here else place))
 
     def value(
         self,

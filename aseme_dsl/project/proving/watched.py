@@ -99,16 +99,23 @@ def conditions_in(script: Script | None) -> Iterator[Condition]:
 
 
 def unread_of(script: Script, item: Expectation, plans: Mapping[str, Plan]) -> str:
-    """That an agent does not read the message that it is said to have; empty if it does. `plans` are those of
-    the agents."""
+    """That an agent neither reads nor fills the message that it is said to have; empty if it does. `plans`
+    are those of the agents."""
     found = (
         f"{condition.agent} does not read {part.channel}, so it never has one"
         for condition in conditions_in(replace(script, expectations=(item,)))
         if isinstance(condition, Holds)
         for part in e.walk(condition.value)
-        if isinstance(part, e.Member) and str(part.channel) not in reads_of(plans[condition.agent])
+        if isinstance(part, e.Member)
+        and str(part.channel) not in reads_of(plans[condition.agent]) | _filled(plans[condition.agent])
     )
     return next(found, "")
+
+
+def _filled(plan: Plan) -> frozenset[str]:
+    """The channels of the messages whose members the actions of a role set."""
+    targets = (action[1] for item in plan.transitions for action in item.actions if action[0] == "fill")
+    return frozenset(str(target[2]) for target in targets if isinstance(target, tuple))
 
 
 def _numbers_in(script: Script) -> Iterable[int]:

@@ -448,3 +448,19 @@ class WhichAgent(Problem):
     @property
     def hint(self) -> str:
         return f"write `{self.agents[0]} has [{self.condition}]`"
+
+
+class NeverHasMessage(Problem):
+    """A condition asks an agent for a message of a channel that its role neither reads nor fills."""
+
+    code = "W231"
+    role: str
+    channel: str
+
+    @property
+    def message(self) -> str:
+        return f"{self.role} does not read `{self.channel}`, so it never has such a message"
+
+    @property
+    def hint(self) -> str:
+        return f"let an activity of {self.role} read it (`reads {self.channel}`), or ask another agent"
