@@ -26,9 +26,9 @@ from aseme_dsl.runtime.version.loading import Loaded  # noqa: E402
 
 
 def roots(targets: list[Path]) -> Iterator[Path]:
-    """The files of the targets: projects or files."""
+    """The files of the targets: files, or the first ones of projects, which import the others."""
     for target in targets:
-        yield from [target] if target.is_file() else sorted(target.glob("*.aseme"))
+        yield from [target] if target.is_file() else sorted(target.glob("*.aseme"))[:1]
 
 
 def explored(loaded: Loaded, role: str, seconds: float) -> str:
