@@ -42,12 +42,15 @@ class Case:
 
     @property
     def title(self) -> str:
-        """`request`, or `request, with loss and a crash`."""
-        return f"{self.name}, with loss and a crash" if self.harsh else self.name
+        """`request`, or `request, with loss and a crash`, or `auction, one of each`."""
+        few = ", one of each" if self.protocol in _GROUPS and self.robots == 1 else ""
+        return f"{self.name}{few}{', with loss and a crash' if self.harsh else ''}"
 
 
 _PAIRS = ("request", "query", "request_when", "subscribe", "propose", "resource")
 _GROUPS = ("contract_net", "iterated_contract_net", "auction", "dutch_auction", "brokering", "recruiting")
+_OF_ONE = ("contract_net", "auction")
+"""Those that are explored as a whole if there is one agent of each participant."""
 _EXAMPLES = ("auction", "cell", "goalie", "home", "hospital", "meetings", "patrol", "robocup", "warehouse")
 
 
@@ -57,6 +60,9 @@ def cases() -> Iterator[Case]:
         file = "resources" if name == "resource" else "protocols"
         for harsh in (False, True):
             yield Case(name, file, name, harsh=harsh, states=3000 if name in _PAIRS else 1000)
+    for name in _OF_ONE:
+        for harsh in (False, True):
+            yield Case(name, "protocols", name, robots=1, harsh=harsh, states=3000)
     for name in _EXAMPLES:
         yield Case(f"examples/{name}", f"examples/{name}")
 
@@ -103,8 +109,12 @@ def _size(states: int, limit: int) -> int:
 def _plain(text: str) -> str:
     """A text in a table, not too long, without the places in files."""
     text = re.sub(r" \([\w./-]+\.aseme:[0-9:]+\)", "", text)
-    text = text if len(text) <= _LONGEST else text[:_LONGEST].rsplit(" ", 1)[0] + " …"
-    return text.replace("|", "\\|").replace("<", "&lt;").replace("`", "'")
+    if len(text) > _LONGEST:
+        text = text[:_LONGEST].rsplit(" ", 1)[0]
+        text = f"{text} …`" if text.count("`") % 2 else f"{text} …"
+    parts = text.split("`")
+    parts[::2] = [part.replace("<", "&lt;") for part in parts[::2]]
+    return "`".join(parts).replace("|", "\\|")
 
 
 def written(page: str) -> dict[str, str]:

@@ -178,7 +178,8 @@ class Judge:
         """The answers about what the document says; `is_all`: and to what is asked of every team."""
         results = tuple(self.results() if is_all else self.expected())
         safe = frozenset(("failures", *self._safe()))
-        return Answers(results, self.reached, self._explored.order.is_exact, safe)
+        is_exact = all(item._explored.order.is_exact for item in (self, *self.parts))
+        return Answers(results, self.reached, is_exact, safe)
 
     def _safe(self) -> Iterator[str]:
         """The expectations that ask for what happens on the way, and of which all witnesses were met."""
