@@ -143,6 +143,21 @@ def test_what_is_not_the_program_compares_no_numbers() -> None:
         _ = number < 3
 
 
+@pytest.mark.parametrize("constant", [0.1, 0.001, 1e-9, 2**53, 1e18])
+def test_a_constant_is_exact(constant: float) -> None:
+    _, number = _number(is_whole=False)
+    assert number < constant  # the answer that is tried first
+    assert not number >= constant
+    assert number + 1 < constant + 1 + constant / 1000
+
+
+@pytest.mark.parametrize("constant", [1e300, -1e300, 1e-300, float("inf"), float("nan")])
+def test_a_constant_that_is_none_of_the_numbers_is_not_compared(constant: float) -> None:
+    _, number = _number(is_whole=False)
+    with pytest.raises(Unanswerable):
+        _ = number < constant
+
+
 def test_a_sum_may_be_any_number_and_is_not_exact() -> None:
     order, number = _number()
     total = number + order.number(is_whole=True)

@@ -47,16 +47,20 @@ _SHOWN = 5
 
 @dataclass(frozen=True, slots=True)
 class Reached:
-    """Which states and transitions of its roles a team has reached; `why` these may not be all, if so."""
+    """Which states and transitions of its roles a team has reached; `why` these may not be all, if so.
+    `is_vacuous`: no run is like that."""
 
     plans: Mapping[str, Plan]
     visited: Mapping[str, Set[str]]
     taken: Mapping[str, Set[int]]
     why: str
+    is_vacuous: bool
 
 
 def dead_states(found: Sequence[Reached]) -> tuple[Verdict, str]:
     """The answer about dead states, with its reason: what agents of a role reach in none of these teams."""
+    if (vacuous := next((item for item in found if item.is_vacuous), None)) is not None:
+        return Verdict.UNDECIDED, vacuous.why
     plans = {name: plan for item in found for name, plan in item.plans.items()}
     dead: list[str] = []
     for name, plan in plans.items():
@@ -388,7 +392,7 @@ class Judge:
             role: frozenset().union(*(item.visited.get(role, ()) for item in graphs)) for role in plans
         }
         taken = {role: frozenset().union(*(item.taken.get(role, ()) for item in graphs)) for role in plans}
-        return Reached(plans, visited, taken, why)
+        return Reached(plans, visited, taken, why, bool(self._assumed.contradiction))
 
     def _dead(self) -> Result:
         return self._result("dead states", *dead_states([self.reached]), is_built_in=True)

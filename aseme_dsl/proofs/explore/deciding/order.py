@@ -22,8 +22,10 @@ from aseme_dsl.runtime.message.as_json import StandIn
 
 _T = TypeVar("_T")
 
-_ONE = 1 << 60
+_ONE = 1 << 100
 """What stands for 1 in the bounds of a zone, which are whole numbers."""
+_MOST = 1 << 180
+"""The greatest number in parts of `_ONE`: sums of some are less than the bound of a zone that is none."""
 
 
 class Unanswerable(BaseException):
@@ -334,7 +336,7 @@ def _scaled(value: Number) -> int:
         found = Fraction(cast("float", value)) * _ONE
     except (OverflowError, ValueError):
         raise Unanswerable(f"a number is compared with {value}") from None
-    if found.denominator != 1:
+    if found.denominator != 1 or abs(found) > _MOST:
         raise Unanswerable(f"a number is compared with {value}, which has too many digits")
     return found.numerator
 
