@@ -22,7 +22,7 @@ scenario "nobody is home" {
   every one has [eyes.state.Seen.home] leads to two in Stand within 1s
   for 2s
 }
-scenario "in its world" { world nowhere:make  by 1s one in Stand }
+scenario "in its world" { world no_such_world:make  by 1s one in Stand }
 scenario "it takes its time" {
   one : robot
   activity Stand takes 500ms..1500ms
@@ -93,7 +93,7 @@ def test_programs_read_json(tested: Here) -> None:
             "error",
             1,
             0,
-            "good.aseme:28:10: no function make in module nowhere: No module named 'nowhere'",
+            "good.aseme:28:10: no function make in module no_such_world: No module named 'no_such_world'",
         ),
         (
             "it takes its time",
