@@ -13,6 +13,7 @@ from collections.abc import Callable, Sequence
 
 from aseme_dsl.proofs.explore.explored import Circling, Explored, Move
 from aseme_dsl.proofs.explore.search import (
+    ENOUGH,
     Agenda,
     Arrival,
     Clock,
@@ -123,7 +124,7 @@ class _Search:
         self._note(begun(Zone(), 0), None)
         while (place := self._agenda.take()) is not None:
             if graph.broken or graph.sightings:
-                graph.cut = "what was asked for is refuted"
+                graph.cut = ENOUGH
             elif len(graph.parents) >= self._limits.states:
                 graph.cut = f"{self._limits.states} states"
             elif self._clock.is_over():

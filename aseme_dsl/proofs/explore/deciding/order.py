@@ -224,8 +224,11 @@ class Order:
             return one.offset == other.offset
         if not self.asks():
             return False
-        is_same = self._both(self._not_less(one, other), self._not_less(other, one))
-        ways = [(True, is_same), (False, self._less(one, other)), (False, self._less(other, one))]
+        ways = [
+            (True, self._same(one, other)),
+            (False, self._less(one, other)),
+            (False, self._less(other, one)),
+        ]
         return self._decided(one, other, ways)
 
     def _decided(self, one: Number, other: Number, ways: Sequence[tuple[bool, Zone | None]]) -> bool:
@@ -267,21 +270,16 @@ class Order:
             return narrowed(self.known.zone, row, column, at_most((-(-by // _ONE) - 1) * _ONE))
         return narrowed(self.known.zone, row, column, less_than(by))
 
-    def _not_less(self, one: Number, other: Number) -> Zone | None:
+    def _not_less(self, one: Number, other: Number, zone: Zone | None = None) -> Zone | None:
+        """What may be so if it is not; of a `zone`, if that is more than what is known."""
         row, column, by = self._difference(one, other)
         least = -(-by // _ONE) * _ONE if self._are_whole(row, column) else by
-        return narrowed(self.known.zone, column, row, at_most(-least))
+        return narrowed(zone or self.known.zone, column, row, at_most(-least))
 
-    def _both(self, one: Zone | None, other: Zone | None) -> Zone | None:
-        if one is None or other is None:
-            return None
-        size = range(len(one.rows))
-        found: Zone | None = one
-        for row in size:
-            for column in size:
-                if found is not None:
-                    found = narrowed(found, row, column, other.rows[row][column])
-        return found
+    def _same(self, one: Number, other: Number) -> Zone | None:
+        """What may be so if two numbers are equal."""
+        zone = self._not_less(one, other)
+        return None if zone is None else self._not_less(other, one, zone)
 
     def _difference(self, one: Number, other: Number) -> tuple[int, int, int]:
         """Two rows, and the number with which their difference compares as the one with the other."""
