@@ -20,7 +20,7 @@ from aseme_dsl.proofs.explore.deciding.order import Some
 from aseme_dsl.proofs.explore.deciding.values import Values
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.functions import is_of_library
-from aseme_dsl.runtime.chart.plan import Plan, Transition
+from aseme_dsl.runtime.chart.plan import Plan, Transition, is_in
 
 Place = tuple[str, tuple[str, ...]]
 """A type of message and the path of a member, or a function (`name()`) and the empty path."""
@@ -99,13 +99,7 @@ def _early(plan: Plan, channel: str) -> Iterator[str]:
                 todo += [(target, item.kind == "external") for target in item.targets]
                 todo += [(target, True) for target in (item.target, *plan.entries_of(item))]
                 if item.resume:
-                    todo += [
-                        (other.label, True) for other in plan.states if _is_below(other.label, item.target)
-                    ]
-
-
-def _is_below(label: str, other: str) -> bool:
-    return label.startswith(f"{other}.")
+                    todo += [(other.label, True) for other in plan.states if is_in(other.label, item.target)]
 
 
 def _may_be_taken(item: Transition, channel: str) -> bool:
