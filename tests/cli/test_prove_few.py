@@ -84,6 +84,16 @@ def test_a_wait_that_the_others_end_is_none_for_ever(prove) -> None:  # type: ig
     assert "in which only some agents move" in found["bounds"]
 
 
+def test_a_message_that_may_be_taken_once_the_others_move_does_not_wait_for_ever(prove, monkeypatch) -> None:  # type: ignore[no-untyped-def]
+    def asked() -> str:
+        done = prove(COUNTED, "non-local choice", "--robots", "3", "--states", "250", "--json")
+        return verdicts(done)["non-local choice"]
+
+    assert asked() == "UNDECIDED"
+    monkeypatch.setattr("aseme_dsl.project.proving.judging.Judge._sees_all", True)
+    assert asked() == "REFUTED"
+
+
 def test_nothing_is_searched_twice_where_all_states_were_looked_at(prove) -> None:  # type: ignore[no-untyped-def]
     done = prove(HEARD, "deadlock", "--robots", "3")
     assert done.out.startswith("PROVED    deadlock of protocol news [1 speaker, 3 hearer; any delay; ")

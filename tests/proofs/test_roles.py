@@ -13,11 +13,14 @@ import pytest
 
 from aseme_dsl.project.building.project import compile_root
 from aseme_dsl.proofs.explore import coming
+from aseme_dsl.proofs.explore.coming import Coming
 from aseme_dsl.proofs.explore.deciding.later import Later
 from aseme_dsl.proofs.explore.deciding.values import Values
 from aseme_dsl.proofs.explore.explored import Assumed, Explored
+from aseme_dsl.proofs.explore.reducing import steady
 from aseme_dsl.proofs.explore.reducing.steady import Steady
 from aseme_dsl.proofs.explore.search import Eyes, Graph, Limits, search
+from aseme_dsl.runtime.activity.execution import Execution
 from aseme_dsl.source import Source
 from tests.oracle.charts import text as chart_of
 from tests.proofs.test_absence import EXAMPLES, loaded_of
@@ -38,6 +41,34 @@ srm robot {
   }
 }
 """
+SEEN = """\
+system Seen
+message Ball { bool near int x }
+topic eye { state Ball }
+srm robot {
+  liveness { robot = Look~ || play~ play = Wait . (Kick | Rest) }
+  activities { Look writes eye.state.Ball }
+  control robot {
+    repeat Look : [eye.state.Ball.near] / raise seen
+    repeat Look : else
+  }
+  control play {
+    enter Kick : seen
+    enter Rest : [eye.state.Ball.x > 3]
+  }
+}
+"""
+"""An activity that is begun anew for ever, and whose end may raise an event."""
+LUCK = """\
+system Luck
+function lucky(int n) : bool = "luck:lucky"
+srm robot {
+  var n : int
+  liveness { robot = Look~ || play~ play = Wait . Kick }
+  control play { enter Kick : when [lucky(n)] }
+}
+"""
+"""An agent to which nothing comes: only the ends of activities let it step."""
 ORDERS = """\
 system Orders
 message Order { int first int second }
@@ -60,6 +91,21 @@ Without = Callable[[pytest.MonkeyPatch], None]
 
 def without_steady(patch: pytest.MonkeyPatch) -> None:
     patch.setattr(Steady, "is_idle", lambda *_: False)
+
+
+def steady_everywhere(patch: pytest.MonkeyPatch) -> None:
+    patch.setattr(steady, "is_steady", lambda *_: True)
+
+
+def steady_without_inputs(patch: pytest.MonkeyPatch) -> None:
+    known = Steady.is_idle
+
+    def is_idle(found: Steady, execution: Execution) -> bool:
+        with patch.context() as inner:
+            inner.setattr(Coming, "has_more", lambda *_: True)
+            return known(found, execution)
+
+    patch.setattr(Steady, "is_idle", is_idle)
 
 
 def without_like(patch: pytest.MonkeyPatch) -> None:
@@ -105,6 +151,25 @@ def test_each_has_less_to_do_and_the_same_answers(
     assert reduced.cut is full.cut is None
     assert answers == others
     assert reduced.moves < full.moves
+
+
+@pytest.mark.parametrize(
+    ("text", "spoil"),
+    [
+        pytest.param(SEEN, steady_everywhere, id="a condition asks at the end"),
+        pytest.param(LUCK, steady_without_inputs, id="nothing else lets the agent step"),
+    ],
+)
+def test_an_end_that_changes_something_is_a_move(
+    text: str, spoil: Without, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    _, answers = explored(text, tmp_path / "a", "robot")
+    spoil(monkeypatch)
+    _, spoiled = explored(text, tmp_path / "b", "robot")
+    monkeypatch.undo()
+    without_steady(monkeypatch)
+    _, others = explored(text, tmp_path / "c", "robot")
+    assert answers == others != spoiled
 
 
 def test_what_is_asked_at_any_age_is_kept(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
