@@ -11,6 +11,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from enum import Enum, auto
 
+from aseme_dsl.proofs.explore.deciding.ahead import ahead
 from aseme_dsl.proofs.explore.reducing.never import Never
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.chart import Chart
@@ -165,7 +166,9 @@ class Relevant:
         """The states that may be active from a leaf on, up to the next entry of `scope`."""
         key = leaf, scope if scope is not None and is_in(leaf, scope) else None
         if key not in self._ahead:
-            self._ahead[key] = frozenset(_reached(self._plan, leaf, key[1]))
+            self._ahead[key] = frozenset(
+                ahead(self._plan, leaf, lambda item: item.target != key[1], is_entered=False)
+            )
         return self._ahead[key]
 
     def _asked(self, place: int | str) -> _Names:
@@ -259,34 +262,6 @@ def _names(terms: list[object]) -> _Names:
             timers.add(str(term[1]))
         counts |= term[:1] in _COUNTING
     return _Names(frozenset(variables), frozenset(timers), counts)
-
-
-def _reached(plan: Plan, leaf: str, scope: str | None) -> Iterator[str]:
-    todo = [(leaf, False)]
-    seen: set[tuple[str, bool]] = set()
-    while todo:
-        label, is_entered = todo.pop()
-        if (label, is_entered) in seen:
-            continue
-        seen.add((label, is_entered))
-        yield label
-        state = plan.by_label[label]
-        if state.parent is not None:
-            todo.append((state.parent, False))
-        if is_entered and state.type in ("AND", "OR"):
-            todo += [
-                (child.label, True)
-                for child in plan.children(label)
-                if state.type == "AND" or child.type == "START"
-            ]
-        for item in plan.transitions:
-            if item.source != label or item.target == scope:
-                continue
-            todo.append((item.target, item.kind == "external"))
-            if item.kind == "external":
-                todo += [(other, True) for other in plan.entries_of(item)]
-            if item.resume:
-                todo += [(other.label, True) for other in plan.states if is_in(other.label, item.target)]
 
 
 __all__ = ["Relevant"]

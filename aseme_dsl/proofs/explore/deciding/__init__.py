@@ -6,4 +6,6 @@
 - `arriving`: messages that are there, or not, when something looks for them
 - `staging`: the statecharts of a team that is explored
 - `acting`: what activities do
+- `absence`: where it makes no difference whether a message has come
+- `ahead`: the states that may be active from one on
 """

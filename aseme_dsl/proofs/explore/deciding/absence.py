@@ -13,14 +13,16 @@ asked for in any other way counts as one that makes a difference.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from functools import partial
 from typing import cast
 
 from aseme_dsl.amola.expression import COMPARE, TURNED
+from aseme_dsl.proofs.explore.deciding.ahead import ahead
 from aseme_dsl.proofs.explore.deciding.order import Some
 from aseme_dsl.proofs.explore.deciding.values import Values
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.functions import is_of_library
-from aseme_dsl.runtime.chart.plan import Plan, Transition, is_in
+from aseme_dsl.runtime.chart.plan import Plan, Transition
 
 Place = tuple[str, tuple[str, ...]]
 """A type of message and the path of a member, or a function (`name()`) and the empty path."""
@@ -77,32 +79,10 @@ def tells_absence(plan: Plan, channel: str, values: Values) -> bool:
 
 def _early(plan: Plan, channel: str) -> Iterator[str]:
     """The states that may be active while no message has come on a channel."""
-    todo = [(plan.states[0].label, True)]
-    seen: set[tuple[str, bool]] = set()
-    while todo:
-        label, is_entered = todo.pop()
-        if (label, is_entered) in seen:
-            continue
-        seen.add((label, is_entered))
-        yield label
-        state = plan.by_label[label]
-        if state.parent is not None:
-            todo.append((state.parent, False))
-        if is_entered:
-            todo += [
-                (child.label, True)
-                for child in plan.children(label)
-                if state.type == "AND" or child.type == "START"
-            ]
-        for item in plan.transitions:
-            if item.source == label and _may_be_taken(item, channel):
-                todo += [(target, item.kind == "external") for target in item.targets]
-                todo += [(target, True) for target in (item.target, *plan.entries_of(item))]
-                if item.resume:
-                    todo += [(other.label, True) for other in plan.states if is_in(other.label, item.target)]
+    return ahead(plan, plan.states[0].label, partial(_may_be_taken, channel), is_entered=True)
 
 
-def _may_be_taken(item: Transition, channel: str) -> bool:
+def _may_be_taken(channel: str, item: Transition) -> bool:
     """Whether the condition of a transition may be true with no message on a channel."""
     return item.condition is None or _may_be(item.condition, True, channel)
 
