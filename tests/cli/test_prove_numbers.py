@@ -27,6 +27,20 @@ srm robot {{
 }}
 """
 
+BOUNDED = """\
+system S
+srm robot {
+  var n : int 0..3
+  liveness { robot = Count . (Few | Many) }
+  activities { Count writes n }
+  control robot {
+    enter Few : [n + n < 5 && n != 9]
+    enter Many : [n == 2 || n + n > 5]
+  }
+}
+"""
+"""One state is reached only if a sum is great, which it is with the greatest value of the variable."""
+
 
 @pytest.mark.parametrize(
     ("repeats", "ends", "deadlock"),
@@ -73,3 +87,9 @@ def test_what_is_written_into_a_text_stays_undecided(here: Here, folder: Path) -
     found = here("prove", "team.aseme", "deadlock")
     assert "Traceback" not in found.out + found.err
     assert not found.out.startswith("PROVED")
+
+
+def test_only_what_a_variable_can_hold_is_tried_and_its_bounds_are(here: Here, folder: Path) -> None:
+    (folder / "team.aseme").write_text(BOUNDED)
+    found = here("prove", "team.aseme", "dead states").out
+    assert found.startswith("PROVED    dead states of team [1 robot; any delay; n in 0, 2, 3; "), found

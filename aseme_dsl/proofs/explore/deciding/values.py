@@ -91,6 +91,8 @@ class Values:
         self._classes: dict[Place, _Class] = {}
         self.bounds: dict[str, str] = {}
         """What is not tried with all values, with those that are, for readers."""
+        self._shown: dict[str, dict[str, None]] = {}
+        """The values that are in `bounds`."""
         self.computed: set[str] = set()
         """What the program computes with, so that a few values do not stand for all."""
         self._by_lines: set[str] = set()
@@ -131,7 +133,7 @@ class Values:
             return self._agents
         if variable.type.startswith("list of ") or not self.is_read(place):
             return ()
-        return self.tried_for(place, _type(variable.type, self._enums))
+        return self.tried_for(place, _type(variable.type, self._enums), variable)
 
     def held(self, variable: Variable) -> tuple[object, ...]:
         """What a variable holds when an activity may have written it: what it holds at first, or one of what
@@ -139,8 +141,6 @@ class Values:
         tried = self.of_variable(variable)
         if any(isinstance(item, Some) for item in tried):
             return tried
-        if tried and variable.bounds is not None and variable.type == "double":
-            tried = (*tried, *map(float, variable.bounds))  # what is between may be beyond these
         initial = variable.initial
         if variable.type in self._enums:
             initial = self._enums[variable.type](cast(int, initial))
@@ -234,16 +234,19 @@ class Values:
         known = self._classes.get(self._root(place))
         return known is not None and known.is_read
 
-    def tried_for(self, place: Place, kind: object) -> tuple[object, ...]:
-        """What is tried for a place that holds values of a type."""
+    def tried_for(self, place: Place, kind: object, variable: Variable | None = None) -> tuple[object, ...]:
+        """What is tried for a place that holds values of a type, and of a variable within its bounds."""
         known = self._classes.get(self._root(place), _Class())
         found = self._tried(kind, known)
+        values = found.values if variable is None else _within(variable, found)
         if not found.is_all:
             name = ".".join((place[0], *place[1]))
             if known.is_computed:
                 self.computed.add(name)
-            self.bounds[name] = f"{name} in {', '.join(str(value) for value in found.values)}"
-        return found.values
+            shown = self._shown.setdefault(name, {})  # roles may have variables of one name
+            shown |= dict.fromkeys(map(str, values))
+            self.bounds[name] = f"{name} in {', '.join(shown)}"
+        return values
 
     def _tried(self, kind: object, known: _Class) -> Tried:
         found = _few(kind, known) if self._is_few else None
@@ -457,6 +460,18 @@ class _Reader:
             case ("taken", tuple() as path):
                 return (taken, _path(path)) if taken else None
         return None
+
+
+def _within(variable: Variable, found: Tried) -> tuple[object, ...]:
+    """What a variable can hold of what is tried. Of few numbers its bounds are some, and of those with a
+    fraction, too: what is between others may be beyond the bounds."""
+    values = found.values
+    if variable.bounds is not None and not any(isinstance(item, Some) for item in values):
+        if variable.type == "double":
+            values = (*values, *map(float, variable.bounds))
+        elif not found.is_all:
+            values = (*values, *map(int, variable.bounds))
+    return tuple(dict.fromkeys(item for item in values if _can_hold(variable, item)))
 
 
 def _can_hold(variable: Variable, value: object) -> bool:
