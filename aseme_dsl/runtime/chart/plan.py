@@ -433,7 +433,7 @@ class Plan:
                 todo += [(child.label, True) for child in self.children(label) if child.type == "START"]
             for item in self._sources.get(label, ()):
                 if item.kind == "external":
-                    todo.append((item.target, True))
+                    todo += [(other, True) for other in (item.target, *self.entries_of(item))]
                 if item.resume:
                     todo += [(other.label, True) for other in self.states if is_in(other.label, item.target)]
         by_lines: set[tuple[str, str]] = set()

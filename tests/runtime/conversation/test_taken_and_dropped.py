@@ -83,3 +83,52 @@ def test_the_line_is_shown_as_it_is_written() -> None:
 @pytest.mark.parametrize("line", ["on Serve : after(1s)", "on Serve : when [index > 3]"])
 def test_what_takes_nothing_still_needs_an_action(line: str) -> None:
     assert "E423" in codes(DEPOT.replace("LINE", line))
+
+
+DOORS = """
+system Doors
+message Order { int id }
+aip talk {
+  participant alice {
+    var busy : bool = true
+    sends request Order
+    receives inform Order
+    process = Ask . (Wait | (Left || Right))
+  }
+  participant bob {
+    sends inform Order
+    receives request Order
+    process = Hear . Tell
+  }
+  control alice {
+    enter Ask             : / send request Order { id = 1 } to bob
+    enter Wait            : [busy]
+    enter (Left || Right) : else
+    enter Right           : inform Order from bob
+    0.2.1.2.3.3 -> 0.2.1.2.3.4.2.1.2 : after(2s)  // from Wait to Left
+  }
+  control bob {
+    enter Hear : request Order from alice
+    enter Tell : / send inform Order { id = 1 } to alice
+  }
+}
+srm one {
+  plays talk.alice
+  liveness { one = alice }
+  activities { Ask takes 1s simulated  Wait waits  Left takes 1s simulated  Right takes 1s simulated }
+}
+srm two {
+  plays talk.bob
+  liveness { two = bob }
+  activities { Hear takes 1s simulated  Tell takes 1s simulated }
+}
+team T { a : one  b : two }
+"""
+
+
+def test_a_message_waits_for_a_region_that_is_entered_beside_a_target() -> None:
+    run = play(generate(DOORS))
+    assert run.order("start") == [
+        f"start {name}" for name in ("Ask", "Hear", "Wait", "Tell", "Left", "Right")
+    ]
+    assert run.of("agent_message", performative="not_understood") == []
