@@ -26,6 +26,7 @@ from aseme_dsl.project.proving.watched import (
 from aseme_dsl.proofs.explore.explored import Assumed, Explored
 from aseme_dsl.proofs.explore.questions import Stuck, Untouched, around, stuck, unmet, untouched
 from aseme_dsl.proofs.explore.search import ENOUGH, Graph, Limits, Step, never_untaken
+from aseme_dsl.proofs.explore.wandering.wander import Goal
 from aseme_dsl.proofs.timed.schedule import moments
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan, State, Transition
@@ -66,7 +67,7 @@ def dead_states(found: Sequence[Reached]) -> tuple[Verdict, str]:
     for name, plan in plans.items():
         visited = {label for item in found for label in item.visited.get(name, ())}
         taken = {number for item in found for number in item.taken.get(name, ())}
-        dead += _dead_in(plan, visited, taken)
+        dead += dict.fromkeys(what for _, what in _dead_in(plan, visited, taken))
     if not dead:
         return Verdict.PROVED, ""
     text = ", ".join(dead[:_SHOWN]) + (f" and {len(dead) - _SHOWN} more" if len(dead) > _SHOWN else "")
@@ -140,9 +141,11 @@ class Judge:
         system: System,
         loaded: Loaded,
         times: Times | None = None,
+        asked: Sequence[str] = (),
     ) -> None:
         self.parts: Sequence[Judge] = ()
-        """What was found in searches in which only some agents move: single runs of these count, too."""
+        """What was found in searches in which only some agents move, and in long runs: what single runs of
+        these show counts, too."""
         self._loaded = loaded
         self._scope = scope
         self._explored = explored
@@ -152,6 +155,7 @@ class Judge:
         self._limits = limits
         self._system = system
         self._times = times
+        self._asked = asked
         self._first = graph.pictures[0]
 
     def results(self) -> Iterator[Result]:
@@ -206,7 +210,7 @@ class Judge:
                 yield self._answer(partial(Judge._expectation, number=number, item=item))
 
     def _answer(self, asked: Callable[[Judge], Result]) -> Result:
-        """The answer to a question; where it is not decided, a run counts in which only some agents move."""
+        """The answer to a question; where it is not decided, a run of a further search counts."""
         found = asked(self)
         if found.verdict is Verdict.UNDECIDED:
             answers = (replace(asked(part), bounds=found.bounds) for part in self.parts)
@@ -379,7 +383,7 @@ class Judge:
 
     @property
     def reached(self) -> Reached:
-        """What the team has reached, also where only some of its agents move."""
+        """What the team has reached, also in further searches."""
         graph = self._graph
         why = self._incomplete()
         if not why and self._explored.values.computes:
@@ -393,6 +397,36 @@ class Judge:
         }
         taken = {role: frozenset().union(*(item.taken.get(role, ()) for item in graphs)) for role in plans}
         return Reached(plans, visited, taken, why, bool(self._assumed.contradiction))
+
+    def left(self, further: Graph) -> list[Goal]:
+        """Where neither a further search nor those before have reached all there is."""
+        found, goals = self.reached, dict[Goal, None]()
+        for role, plan in found.plans.items():
+            visited = found.visited[role] | further.visited.get(role, set())
+            taken = found.taken[role] | further.taken.get(role, set())
+            goals |= dict.fromkeys((role, label) for label, _ in _dead_in(plan, visited, taken))
+        return [*goals]
+
+    def has_enough(self, further: Graph, left: Sequence[Goal]) -> bool:
+        """Whether single runs say no more of what is asked than is known by a further search and those
+        before; `left` is what none of them has reached."""
+        graphs = [self._graph, *(part._graph for part in self.parts), further]
+        seen = {item.kind for graph in graphs for item in graph.sightings}
+        seen |= {"dead states"} if not left else set()
+        questions = {
+            "dead states": {"dead states"},
+            "failures": {"failure", "circling"},
+            **(
+                {"orphan messages": {"orphan"}, "non-local choice": {"race"}} if self._explored._talks else {}
+            ),
+        }
+        if self._watch is not None:
+            broken = {number for graph in graphs for number in graph.broken}
+            for number, item in enumerate(self._watch.observer.script.expectations):
+                questions[named(item)] = seen if number in broken else set()
+        return all(
+            seen & kinds for name, kinds in questions.items() if not self._asked or name in self._asked
+        )
 
     def _dead(self) -> Result:
         return self._result("dead states", *dead_states([self.reached]), is_built_in=True)
@@ -501,8 +535,9 @@ class Judge:
         parts += sorted(self._explored.values.bounds.values())
         if self._explored.needed is not None:
             parts.append("only the regions that matter to it")
-        few = sum(len(part._graph.parents) for part in self.parts)
-        return Bounds(self._scope.agents, tuple(parts), len(graph.parents), few)
+        few = sum(len(part._graph.parents) for part in self.parts if not part._sees_all)
+        long = sum(len(part._graph.parents) for part in self.parts if part._sees_all)
+        return Bounds(self._scope.agents, tuple(parts), len(graph.parents), few, long)
 
 
 def around_of(plan: Plan, label: str) -> Iterator[State]:
@@ -513,20 +548,17 @@ def around_of(plan: Plan, label: str) -> Iterator[State]:
         state = None if state.parent is None else plan.by_label[state.parent]
 
 
-def _dead_in(plan: Plan, visited: Set[str], taken: Set[int]) -> list[str]:
+def _dead_in(plan: Plan, visited: Set[str], taken: Set[int]) -> Iterator[tuple[str, str]]:
+    """The states and transitions that were not reached: the label of the state, or of the source, and what
+    is said of it."""
     passed = {plan.transitions[number].source for number in taken}
     passed |= {plan.transitions[number].target for number in taken}
-    states = [
-        f"state {plan.called(state)}"
-        for state in plan.states
-        if state.type == "BASIC" and state.label not in visited and state.label not in passed
-    ]
-    ways = [
-        f"`{' '.join(item.text.split())}` ({item.at})"
-        for number, item in enumerate(plan.transitions)
-        if number not in taken and _is_expected(item, passed)
-    ]
-    return [*dict.fromkeys(states), *dict.fromkeys(ways)]
+    for state in plan.states:
+        if state.type == "BASIC" and state.label not in visited and state.label not in passed:
+            yield state.label, f"state {plan.called(state)}"
+    for number, item in enumerate(plan.transitions):
+        if number not in taken and _is_expected(item, passed):
+            yield item.source, f"`{' '.join(item.text.split())}` ({item.at})"
 
 
 def _is_expected(item: Transition, passed: set[str]) -> bool:

@@ -56,7 +56,8 @@ from aseme_dsl.proofs.explore.apart import first_of, groups_of
 from aseme_dsl.proofs.explore.deciding.order import Unanswerable
 from aseme_dsl.proofs.explore.explored import Assumed, Explored
 from aseme_dsl.proofs.explore.needed import Asked
-from aseme_dsl.proofs.explore.search import Eyes, Limits, search
+from aseme_dsl.proofs.explore.search import Eyes, Graph, Limits, search
+from aseme_dsl.proofs.explore.wandering.wander import wander
 from aseme_dsl.proofs.guide import Guide
 from aseme_dsl.proofs.timed.search import Watching, search_with_times
 from aseme_dsl.runtime.monitor.rules import Never
@@ -271,6 +272,7 @@ class _Searching(Protocol):
         times: Times | None = None,
         numbers: Sequence[float] | None = (),
         still: frozenset[str] = frozenset(),
+        before: Judge | None = None,
     ) -> Judge | None: ...
 
 
@@ -285,13 +287,18 @@ def _in_parts(
     times: Times | None = None,
     numbers: Sequence[float] | None = (),
 ) -> Judge | None:
-    """A search; if it was cut, then also some in which only the first agents of each role move.
+    """A search; if it was cut, then also some in which only the first agents of each role move, and long runs
+    of all, unless it is `about` one question.
 
     Not with times: then agents have to move in time. Nor with further numbers: these are tried where all do.
     """
 
-    def search_one(limits: Limits, still: frozenset[str] = frozenset()) -> Judge | None:
-        search = partial(searched, about=about, times=times, numbers=numbers, still=still)
+    def search_one(
+        limits: Limits,
+        still: frozenset[str] = frozenset(),
+        before: Judge | None = None,
+    ) -> Judge | None:
+        search = partial(searched, about=about, times=times, numbers=numbers, still=still, before=before)
         return purse.spend(search, scope, script, limits)
 
     judge = search_one(limits)
@@ -304,7 +311,11 @@ def _in_parts(
         assert part is not None
         judge.parts = (*judge.parts, part)
         if part.has_all:
-            break
+            return judge
+    if about is None and not judge.has_enough(Graph(), judge.left(Graph())):
+        part = search_one(purse.rest(limits), before=judge)
+        assert part is not None
+        judge.parts = (*judge.parts, part)
     return judge
 
 
@@ -324,7 +335,8 @@ def _together(parts: Sequence[Result], reached: Sequence[Reached], scope: Scope)
         under = dict.fromkeys(part for item in same for part in item.bounds.parts)
         states = sum(item.bounds.states or 0 for item in same)
         few = sum(item.bounds.few for item in same)
-        bounds = Bounds(scope.agents, (*under, "agents that do not meet apart"), states, few)
+        long = sum(item.bounds.long for item in same)
+        bounds = Bounds(scope.agents, (*under, "agents that do not meet apart"), states, few, long)
         yield replace(worst, bounds=bounds)
 
 
@@ -341,10 +353,12 @@ def _searched(
     times: Times | None = None,
     numbers: Sequence[float] | None = (),
     still: frozenset[str] = frozenset(),
+    before: Judge | None = None,
 ) -> Judge | None:
     """One search, with the judge of what it has found. With `about`, it is about that alone: what does not
     matter to it stands still. Then there is none if everything matters, unless `times` are measured.
-    `numbers` and `still`: see Explored. Raises Unanswerable, if numbers may be any, and the team asks more of
+    `numbers` and `still`: see Explored. It is one of long runs, if there
+    were others `before`. Raises Unanswerable, if numbers may be any, and the team asks more of
     one than how it compares."""
     eyes = Eyes()
     watch = Watched(script) if script is not None and script.expectations else None
@@ -382,15 +396,19 @@ def _searched(
             watching = Watching(watch.monitors, watch.dues, watch.begin_moment, far=far)
         graph = search_with_times(explored, eyes, watching, limits, times.horizon)
     else:
-        graph = search(
-            explored,
-            eyes,
-            None if watch is None else watch.monitors,
-            limits,
-            lambda graph: is_all and graph.broken.keys() >= set(wanted),
-            far,
-        )
-    return Judge(scope, explored, graph, watch, assumed, limits, system, loaded, times)
+        monitors = None if watch is None else watch.monitors
+        if before is not None:
+            graph = wander(explored, eyes, monitors, limits, before.has_enough, before.left)
+        else:
+            graph = search(
+                explored,
+                eyes,
+                monitors,
+                limits,
+                lambda graph: is_all and graph.broken.keys() >= set(wanted),
+                far,
+            )
+    return Judge(scope, explored, graph, watch, assumed, limits, system, loaded, times, asked)
 
 
 def _guess(script: Script, explored: Explored) -> Callable[[], int] | None:

@@ -28,6 +28,8 @@ class Bounds:
     states: int | None = None
     few: int = 0
     """So many more states of searches in which only some of the agents move."""
+    long: int = 0
+    """So many more states of long runs."""
 
     @property
     def text(self) -> str:
@@ -36,8 +38,10 @@ class Bounds:
 
     def _states(self) -> Iterator[str]:
         if self.states is not None:
-            few = f" and {self.few} in which only some agents move" if self.few else ""
-            yield f"{self.states} states{few}"
+            few = [f"{self.few} in which only some agents move"] if self.few else []
+            long = [f"{self.long} of long runs"] if self.long else []
+            *others, last = (f"{self.states} states", *few, *long)
+            yield f"{', '.join(others)} and {last}" if others else last
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,7 +63,7 @@ class Case:
 class Result:
     """An answer. `of` is the team or the protocol, `bounds` say how far it goes.
 
-    `counterexample` is the shortest run in which it is not so, a line for each thing that happens.
+    `counterexample` is a run in which it is not so, a line for each thing that happens.
     """
 
     name: str

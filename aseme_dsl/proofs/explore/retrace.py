@@ -357,6 +357,8 @@ class _Retrace:
     def _content(self, number: int, kind: str) -> Content:
         """A content of which a member is decided: a new one, if the one before was forgotten."""
         if number in self._forgotten:
+            if number not in self._places:
+                raise NotRetraced(f"a {kind} that was taken is decided again")
             self._forgotten.discard(number)
             agent, channel, sender = self._places[number]
             self._contents[number] = Content(kind)

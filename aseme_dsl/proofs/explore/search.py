@@ -114,11 +114,11 @@ class Graph:
     moves: int = 0
 
     def way_to(self, state: int) -> list[Step]:
-        """The moves on the shortest way to a state."""
+        """The moves on the way on which a state was found."""
         return self.way_with(self.parents[state])
 
     def way_with(self, arrival: Arrival) -> list[Step]:
-        """The moves on the shortest way that ends with this one."""
+        """The moves on the way that ends with this one."""
         steps: list[Step] = []
         while arrival is not None:
             state, step = arrival
@@ -186,7 +186,7 @@ def search(
     The nearest are looked at first. If `far` is given, it guesses in each state how many moves are left, and
     those of which it expects the most come first.
     """
-    return _Search(explored, eyes, monitors or Monitors(), limits, is_enough, far).run()
+    return Search(explored, eyes, monitors or Monitors(), limits, is_enough, far).run()
 
 
 GREED = 3
@@ -238,7 +238,9 @@ class Clock:
         return process_time() > self._until
 
 
-class _Search:
+class Search:
+    """One search, by what its methods do with the states that are found."""
+
     def __init__(
         self,
         explored: Explored,
@@ -265,14 +267,9 @@ class _Search:
         self._clock = Clock(limits.seconds)
 
     def run(self) -> Graph:
+        """All states, or as many as the limits allow, or as are enough."""
         graph = self._graph
-        self._explored.settle()
-        try:
-            self._explored.begin()
-        except Circling as problem:
-            graph.sightings.append(Sighting("circling", str(problem), None))
-        self._note(None)
-        self._look(None)
+        self._begin()
         while (place := self._agenda.take()) is not None:
             if reason := self._is_over():
                 graph.cut = reason
@@ -281,6 +278,16 @@ class _Search:
                 self._look_at(place)
         graph.met = self._monitors.met()
         return graph
+
+    def _begin(self) -> None:
+        """The first state."""
+        self._explored.settle()
+        try:
+            self._explored.begin()
+        except Circling as problem:
+            self._graph.sightings.append(Sighting("circling", str(problem), None))
+        self._note(None)
+        self._look(None)
 
     def _is_over(self) -> str | None:
         if self._is_enough(self._graph):
@@ -431,6 +438,7 @@ __all__ = [
     "Graph",
     "Limits",
     "Monitors",
+    "Search",
     "Sighting",
     "Step",
     "never_untaken",

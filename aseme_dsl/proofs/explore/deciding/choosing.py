@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Hashable, Sequence
+from collections.abc import Callable, Hashable, Sequence
 from enum import Enum
 from typing import TypeVar
 
@@ -19,6 +19,9 @@ class Choices:
         self._place = 0
         self.said: list[str] = []
         """The decisions of this way, for readers."""
+        self.draw: Callable[[Sequence[int], int], int] | None = None
+        """Draws the answer to a decision that was not made yet, if something does: from the answers to those
+        before, and from how many there are. Else it is the first one."""
         self.heard: list[tuple[Hashable, object]] | None = None
         """What was asked and answered, and what was noted, if something keeps it."""
 
@@ -47,7 +50,7 @@ class Choices:
             chosen = answers[0]
         else:
             if self._place == len(self._script):
-                self._script.append(0)
+                self._script.append(0 if self.draw is None else self.draw(self._script, len(answers)))
                 self._widths.append(len(answers))
             chosen = answers[self._script[self._place]]
             self._place += 1
