@@ -408,8 +408,8 @@ class Judge:
         return [*goals]
 
     def has_enough(self, further: Graph, left: Sequence[Goal]) -> bool:
-        """Whether single runs say no more of what is asked than is known by a further search and those
-        before; `left` is what none of them has reached."""
+        """Whether single runs say no more of what is asked of every team than is known: by a further search,
+        and those before. `left` is what none of them has reached."""
         graphs = [self._graph, *(part._graph for part in self.parts), further]
         seen = {item.kind for graph in graphs for item in graph.sightings}
         seen |= {"dead states"} if not left else set()
@@ -420,10 +420,6 @@ class Judge:
                 {"orphan messages": {"orphan"}, "non-local choice": {"race"}} if self._explored._talks else {}
             ),
         }
-        if self._watch is not None:
-            broken = {number for graph in graphs for number in graph.broken}
-            for number, item in enumerate(self._watch.observer.script.expectations):
-                questions[named(item)] = seen if number in broken else set()
         return all(
             seen & kinds for name, kinds in questions.items() if not self._asked or name in self._asked
         )
