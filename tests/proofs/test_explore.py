@@ -13,7 +13,7 @@ from aseme_dsl.project.building.build import choose
 from aseme_dsl.project.building.project import compile_root, options_of
 from aseme_dsl.project.playing.operate import generate_version
 from aseme_dsl.proofs.explore.explored import Assumed, Explored
-from aseme_dsl.proofs.explore.search import Eyes, Graph, Limits, search
+from aseme_dsl.proofs.explore.search import Clock, Eyes, Graph, Limits, search
 from aseme_dsl.runtime.trace.records import Record
 from aseme_dsl.runtime.version.loading import Loaded, load_system
 from tests.cli.test_prove import BUY, LATE, MEET
@@ -140,3 +140,9 @@ def test_each_configuration_and_transition_of_a_run_is_explored(
                 for states in known
             ), (seed, moment, now)
     assert seen > 100
+
+
+def test_a_search_whose_time_is_over_stays_so() -> None:
+    """Who asks next, at once, is told the same: else the search goes on."""
+    clock = Clock(-1.0)
+    assert [clock.is_over() for _ in range(3)] == [True] * 3

@@ -228,14 +228,15 @@ class Clock:
     def __init__(self, seconds: float) -> None:
         self._until = process_time() + seconds
         self._next = 0.0
+        self._is_over = False
 
     def is_over(self) -> bool:
-        """Whether they have passed, or will within a hundredth of a second."""
+        """Whether they have passed; that may be told a hundredth of a second later, and then always."""
         now = monotonic()
-        if now < self._next:  # to ask for the processor's time takes long
-            return False
-        self._next = now + 0.01
-        return process_time() > self._until
+        if not self._is_over and now >= self._next:  # to ask for the processor's time takes long
+            self._next = now + 0.01
+            self._is_over = process_time() > self._until
+        return self._is_over
 
 
 class Search:
