@@ -253,6 +253,27 @@ def variables_read(
     return frozenset(call.name for call in calls if call.method == "get_variable")
 
 
+def variables_written(system: System, folder: Path, project: Path | None = None) -> dict[str, frozenset[str]]:
+    """The variables that the Python in `folder` writes with `context.set_variable("name", …)`, by activity.
+
+    What a file beside those of the activities writes, each of them may.
+    """
+    memory = Memory()
+    pieces = _pieces(system, folder, project, memory)
+    codes = _codes(code_paths(pieces, folder), pieces, memory, stamp_of)
+    written = {
+        path: frozenset(call.name for call in code.calls if call.method == "set_variable")
+        for path, code in codes.items()
+    }
+    known = {piece.path for piece in pieces}
+    beside = frozenset[str]().union(*(names for path, names in written.items() if path not in known))
+    return {
+        piece.said.name: written[piece.path] | beside
+        for piece in pieces
+        if piece.what == "activity" and piece.path in written
+    }
+
+
 def code_files(
     system: System, folder: Path, project: Path | None = None, memory: Memory | None = None
 ) -> list[str]:

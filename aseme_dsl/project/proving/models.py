@@ -14,10 +14,11 @@ from aseme_dsl.diagnostics.problems.exporting import NotInModel
 from aseme_dsl.play.scenario import Script
 from aseme_dsl.project.building.build import choose
 from aseme_dsl.project.building.project import Compiled, compile_root, options_of
-from aseme_dsl.project.playing.operate import generate_version, loaded_for
+from aseme_dsl.project.playing.operate import generate_version
 from aseme_dsl.project.proving.promela import NotSaid, promela
 from aseme_dsl.project.proving.prove import of_scope
 from aseme_dsl.project.proving.scopes import Scope, scopes_of
+from aseme_dsl.project.proving.written import loaded_with_writes
 from aseme_dsl.source import Source, Span
 
 File = tuple[str, str]
@@ -57,7 +58,7 @@ def _model(scope: Scope, compiled: Compiled) -> str:
         script = of_scope(watched.scripts[0], scope)
     with TemporaryDirectory(prefix="asemec-export-") as folder:
         package, _ = generate_version(own.system, Path(folder), choose(own.configuration))
-        loaded = loaded_for(package, compiled.configuration.folder.resolve())
+        loaded = loaded_with_writes(package, own.system, compiled.configuration)
         plans = {role: loaded.charts[role].PLAN for _, role in scope.team}
     expectations = [] if script is None else script.expectations
     named = [(f"p{number}", item) for number, item in enumerate(expectations, 1)]

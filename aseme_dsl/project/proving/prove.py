@@ -28,7 +28,7 @@ from aseme_dsl.play.scenario import (
 )
 from aseme_dsl.project.building.build import choose
 from aseme_dsl.project.building.project import Compiled, compile_root, options_of
-from aseme_dsl.project.playing.operate import generate_version, loaded_for
+from aseme_dsl.project.playing.operate import generate_version
 from aseme_dsl.project.proving.contradicting import contradiction_in
 from aseme_dsl.project.proving.judging import (
     Answers,
@@ -52,6 +52,7 @@ from aseme_dsl.project.proving.watched import (
     names_in,
     terms_in,
 )
+from aseme_dsl.project.proving.written import loaded_with_writes
 from aseme_dsl.proofs.explore.apart import first_of, groups_of
 from aseme_dsl.proofs.explore.deciding.order import Unanswerable
 from aseme_dsl.proofs.explore.explored import Assumed, Explored
@@ -146,7 +147,7 @@ def _explored(
     assumed = assumed_by(script.assumptions if script is not None else ())
     with TemporaryDirectory(prefix="asemec-prove-") as folder:
         package, _ = generate_version(own.system, Path(folder), choose(own.configuration))
-        loaded = loaded_for(package, compiled.configuration.folder.resolve())
+        loaded = loaded_with_writes(package, own.system, compiled.configuration)
         plans = {role: loaded.charts[role].PLAN for _, role in scope.team}
         groups = groups_of(scope.team, plans)
         searched = partial(_searched, system=own.system, loaded=loaded, assumed=assumed, asked=asked)

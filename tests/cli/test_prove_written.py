@@ -1,0 +1,73 @@
+"""`asemec prove`: what the code of an activity writes of its participant, it may write in a proof, too."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.cli.test_prove import verdicts
+
+SHOP = """\
+system Shop
+message Order { int n }
+aip order {
+  participant buyer {
+    sends request Order
+    var mode : int = 0
+    process = Choose . [Haggle] . Ask
+  }
+  participant seller { receives request Order  process = Serve }
+  control buyer {
+    enter Choose : / mode = 1
+    enter Haggle : [mode == 2]
+    skip  Haggle : else
+    enter Ask    : / send request Order { n = 1 } to seller
+  }
+  control seller { enter Serve : request Order from buyer }
+}
+"""
+PROJECT = '[tool.asemec]\nfiles = ["it.aseme"]\nactivities = "activities"\n'
+WRITES = """\
+class Choose:
+    def execute(self, context):
+        {}
+"""
+HELPER = """\
+def haggle(context):
+    context.set_variable("mode", 2)
+"""
+
+
+@pytest.mark.parametrize(
+    ("files", "verdict"),
+    [
+        ({}, "REFUTED"),
+        ({"choose.py": WRITES.format("pass")}, "REFUTED"),
+        ({"choose.py": WRITES.format('context.set_variable("mode", 2)')}, "PROVED"),
+        ({"choose.py": WRITES.format("helping.haggle(context)"), "helping.py": HELPER}, "PROVED"),
+        ({"serve.py": WRITES.format('context.set_variable("mode", 2)')}, "REFUTED"),
+    ],
+    ids=["no code", "writes nothing", "writes", "a helper writes", "another activity writes"],
+)
+def test_a_variable_that_lines_write_too_is_written_by_the_activity_whose_code_does(  # type: ignore[no-untyped-def]
+    prove, folder: Path, files: dict[str, str], verdict: str
+) -> None:
+    (folder / "pyproject.toml").write_text(PROJECT)
+    (folder / "activities").mkdir()
+    for name, text in files.items():
+        (folder / "activities" / name).write_text(text)
+    assert verdicts(prove(SHOP, "dead states", "--json"))["dead states"] == verdict
+
+
+def test_a_wait_that_such_a_value_causes_is_refuted_and_played(prove, folder: Path) -> None:  # type: ignore[no-untyped-def]
+    (folder / "pyproject.toml").write_text(PROJECT)
+    (folder / "activities").mkdir()
+    waits = SHOP.replace("skip  Haggle : else", "skip  Haggle : [mode == 1]")
+    assert verdicts(prove(waits, "deadlock", "--json"))["deadlock"] == "PROVED"
+    for name in ("Haggle", "Ask", "Serve"):
+        (folder / f"activities/{name.lower()}.py").write_text(WRITES.replace("Choose", name).format("pass"))
+    (folder / "activities/choose.py").write_text(WRITES.format('context.set_variable("mode", 3)'))
+    (found,) = prove(waits, "deadlock", "--json").json["results"]
+    assert found["verdict"] == "REFUTED"
+    assert "sets mode = " in found["scenario"]
