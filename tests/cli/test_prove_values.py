@@ -13,6 +13,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from tests.cli.support import Here
+from tests.cli.test_prove import verdicts
 from tests.support.lanes import IS_LONG
 
 PLACES = {
@@ -211,3 +212,26 @@ property "not both" { never it in Both }
 """)
     (item,) = here("prove", "a.aseme", "not both", "--json").json["results"]
     assert item["verdict"] != "PROVED"
+
+
+COUNTER = """\
+system Counter
+message Ball { bool seen }
+topic eyes { state Ball }
+srm robot {
+  var known : bool
+  var last  : bool
+  liveness { robot = Begin . Look . [Count] }
+  control robot {
+    enter Begin : / known = false
+    enter Look  : / known = eyes.state.Ball.seen || !eyes.state.Ball.seen; last = known
+    enter Count : [!last]
+    skip  Count : else
+  }
+}
+"""
+"""Where no ball was seen, the first action of `enter Look` is not done: the variable holds what it held."""
+
+
+def test_an_action_that_is_not_done_leaves_what_was_there(prove) -> None:  # type: ignore[no-untyped-def]
+    assert verdicts(prove(COUNTER, "dead states", "--json")) == {"dead states": "PROVED"}

@@ -18,6 +18,7 @@ from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.plan import Plan, is_in, terms_in
 
 _UNKNOWN = object()
+_SCALARS = ("bool", "int", "double", "string")
 _COUNTING = (("invited",), ("answered",), ("all_answered",))
 
 
@@ -44,6 +45,10 @@ class Relevant:
         self._asks: dict[int | str, _Names] = {}
         self._who: dict[str, tuple[int | str, ...]] = {}
         self._fresh: Chart | None = None
+        self._there = frozenset(
+            item.name for item in plan.variables if item.type in _SCALARS and item.bounds is None
+        )
+        """The variables that always hold something, and can hold any value of their type."""
 
     def forget(self, chart: Chart, unknown: object) -> None:
         """Give what is not relevant values that are the same everywhere; `unknown` for variables."""
@@ -179,7 +184,7 @@ class Relevant:
                 found = _names([term for _, term in self._plan.by_label[place].arguments])
             else:
                 item = self._plan.transitions[place]
-                found = _joined([_names([item.condition]), *_asked_by(item.actions)])
+                found = _joined([_names([item.condition]), *_asked_by(item.actions, self._there)])
             self._asks[place] = found
         return found
 
@@ -213,14 +218,30 @@ def _joined(some: Iterable[_Names]) -> _Names:
     return _Names(frozenset(variables), frozenset(timers), counts)
 
 
-def _asked_by(actions: Sequence[tuple[object, ...]]) -> Iterator[_Names]:
-    """What actions read that they have not written before."""
+def _asked_by(actions: Sequence[tuple[object, ...]], there: frozenset[str]) -> Iterator[_Names]:
+    """What actions read that they have surely not written before; `there` are the variables that always hold
+    something."""
     written: set[str] = set()
     for action in actions:
         found = _names([_parts(action)])
         yield replace(found, variables=found.variables - written)
-        if action[0] == "assign":
+        if action[0] == "assign" and action[1] in there and _is_there(action[2], there):
             written.add(str(action[1]))
+
+
+def _is_there(term: object, there: frozenset[str]) -> bool:
+    """Whether a value is surely there: without it, an action is not done."""
+    match term:
+        case ("const", value):
+            return value is not None
+        case ("enum", *_) | ("sender",):
+            return True
+        case ("variable", name):
+            return name in there
+        case ("==" | "!=" | "<" | "<=" | ">" | ">=" | "&&" | "||" | "!" | "+" | "-" | "*", *parts):
+            return all(_is_there(part, there) for part in parts)
+        case _:
+            return False
 
 
 def _bound(terms: list[object], names: set[str]) -> int | None:
