@@ -34,8 +34,14 @@ class Choose:
         {}
 """
 HELPER = """\
-def haggle(context):
-    context.set_variable("mode", 2)
+def haggle(known):
+    known.set_variable("mode", 2)
+"""
+COMPUTED = """\
+NAMES = ["mode"]
+class Choose:
+    def execute(self, context):
+        context.set_variable(NAMES[0], 2)
 """
 
 
@@ -46,9 +52,17 @@ def haggle(context):
         ({"choose.py": WRITES.format("pass")}, "REFUTED"),
         ({"choose.py": WRITES.format('context.set_variable("mode", 2)')}, "PROVED"),
         ({"choose.py": WRITES.format("helping.haggle(context)"), "helping.py": HELPER}, "PROVED"),
+        ({"choose.py": COMPUTED}, "PROVED"),
         ({"serve.py": WRITES.format('context.set_variable("mode", 2)')}, "REFUTED"),
     ],
-    ids=["no code", "writes nothing", "writes", "a helper writes", "another activity writes"],
+    ids=[
+        "no code",
+        "writes nothing",
+        "writes",
+        "a helper writes",
+        "a computed name",
+        "another activity writes",
+    ],
 )
 def test_a_variable_that_lines_write_too_is_written_by_the_activity_whose_code_does(  # type: ignore[no-untyped-def]
     prove, folder: Path, files: dict[str, str], verdict: str

@@ -253,25 +253,35 @@ def variables_read(
     return frozenset(call.name for call in calls if call.method == "get_variable")
 
 
-def variables_written(system: System, folder: Path, project: Path | None = None) -> dict[str, frozenset[str]]:
-    """The variables that the Python in `folder` writes with `context.set_variable("name", …)`, by activity.
+def variables_written(
+    system: System, folder: Path, project: Path | None = None
+) -> dict[str, frozenset[str | None]]:
+    """The variables that the Python in `folder` writes with `set_variable("name", …)`, by activity.
 
-    What a file beside those of the activities writes, each of them may.
+    None stands for any variable, where the name is not written in the call. What a file beside those of the
+    activities writes, each of them may.
     """
     memory = Memory()
     pieces = _pieces(system, folder, project, memory)
     codes = _codes(code_paths(pieces, folder), pieces, memory, stamp_of)
     written = {
-        path: frozenset(call.name for call in code.calls if call.method == "set_variable")
-        for path, code in codes.items()
+        path: frozenset(_written_in(code.module)) for path, code in codes.items() if code.module is not None
     }
     known = {piece.path for piece in pieces}
-    beside = frozenset[str]().union(*(names for path, names in written.items() if path not in known))
+    beside = frozenset[str | None]().union(*(names for path, names in written.items() if path not in known))
     return {
         piece.said.name: written[piece.path] | beside
         for piece in pieces
         if piece.what == "activity" and piece.path in written
     }
+
+
+def _written_in(module: _Module) -> Iterator[str | None]:
+    """The variables that a module writes; it may call its context by any name."""
+    for node in ast.walk(module.tree):
+        if isinstance(node, ast.Call) and getattr(node.func, "attr", "") == "set_variable":
+            named = {keyword.arg: keyword.value for keyword in node.keywords}
+            yield _text(module, node.args[0] if node.args else named.get("name"))
 
 
 def code_files(

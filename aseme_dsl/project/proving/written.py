@@ -35,14 +35,15 @@ def loaded_with_writes(package: Path, system: System, configuration: Configurati
     return replace(loaded, charts=charts)
 
 
-def _writing(chart: type[Chart], written: Mapping[str, Collection[str]]) -> type[Chart]:
+def _writing(chart: type[Chart], written: Mapping[str, Collection[str | None]]) -> type[Chart]:
     """The chart of a role whose activities write what their code writes of participants."""
     plan = chart.PLAN
     of_participants = {item.name.partition("@")[0] for item in plan.variables if item.scope is not None}
     activities = tuple(
         replace(info, variables=tuple(dict.fromkeys((*info.variables, *names)))) if names else info
         for info in plan.activities
-        for names in (sorted(of_participants.intersection(written.get(info.name, ()))),)
+        for code in (written.get(info.name, ()),)
+        for names in (sorted(of_participants if None in code else of_participants.intersection(code)),)
     )
     if activities == plan.activities:
         return chart
