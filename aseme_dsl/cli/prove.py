@@ -34,7 +34,7 @@ _NANOSECOND = 1e-9
 @click.command(
     short_help="Prove what holds in every run.",
     help="Explore all runs of the team, and of each protocol alone. Each property and clause is proved,"
-    " refuted or undecided, with its bounds; what is refuted has its run. Built-in questions:"
+    " refuted or undecided, with its bounds; what is refuted has a run that shows it. Built-in questions:"
     " deadlock, orphan messages, non-local choice, agreement, dead states, failures. PROPERTY is a question,"
     f" the name of a property, or the text of a clause. {TARGET_HELP}",
     epilog="Example: asemec prove team.aseme   ·   asemec prove team.aseme deadlock --robots 3",
