@@ -358,9 +358,8 @@ def _searched(
 ) -> Judge | None:
     """One search, with the judge of what it has found. With `about`, it is about that alone: what does not
     matter to it stands still. Then there is none if everything matters, unless `times` are measured.
-    `numbers` and `still`: see Explored. It is one of long runs, if there
-    were others `before`. Raises Unanswerable, if numbers may be any, and the team asks more of
-    one than how it compares."""
+    `numbers` and `still`: see Explored. It is one of long runs, if there were others `before`. Raises
+    Unanswerable, if numbers may be any, and the team asks more of one than how it compares."""
     eyes = Eyes()
     watch = Watched(script) if script is not None and script.expectations else None
     listeners: list[Listener] = [eyes] if watch is None else [eyes, watch.observer]

@@ -16,6 +16,7 @@ from aseme_dsl.project.building.project import code_folder
 from aseme_dsl.project.playing.operate import loaded_for
 from aseme_dsl.project.settings.configuration import Configuration
 from aseme_dsl.runtime.chart.chart import Chart
+from aseme_dsl.runtime.chart.plan import ActivityInfo
 from aseme_dsl.runtime.version.loading import Loaded
 
 
@@ -38,17 +39,24 @@ def loaded_with_writes(package: Path, system: System, configuration: Configurati
 def _writing(chart: type[Chart], written: Mapping[str, Collection[str | None]]) -> type[Chart]:
     """The chart of a role whose activities write what their code writes of participants."""
     plan = chart.PLAN
-    of_participants = {item.name.partition("@")[0] for item in plan.variables if item.scope is not None}
+    of_participants = frozenset(
+        item.name.partition("@")[0] for item in plan.variables if item.scope is not None
+    )
     activities = tuple(
-        replace(info, variables=tuple(dict.fromkeys((*info.variables, *names)))) if names else info
-        for info in plan.activities
-        for code in (written.get(info.name, ()),)
-        for names in (sorted(of_participants if None in code else of_participants.intersection(code)),)
+        _with_code(info, written.get(info.name, ()), of_participants) for info in plan.activities
     )
     if activities == plan.activities:
         return chart
     own: dict[str, object] = {"__slots__": (), "PLAN": replace(plan, activities=activities)}
     return cast("type[Chart]", type(chart.__name__, (chart,), own))
+
+
+def _with_code(
+    info: ActivityInfo, code: Collection[str | None], of_participants: frozenset[str]
+) -> ActivityInfo:
+    """An activity that also writes those variables of participants that its code writes."""
+    names = of_participants if None in code else of_participants.intersection(code)
+    return replace(info, variables=tuple(dict.fromkeys((*info.variables, *sorted(names)))))
 
 
 __all__ = ["loaded_with_writes"]

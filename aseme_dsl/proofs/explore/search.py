@@ -315,10 +315,7 @@ class Search:
         """Make every move of a state, one after another."""
         explored, graph = self._explored, self._graph
         picture = graph.pictures[state]
-        explored.take_back(picture)
-        letters = {item: place for place, item in enumerate(explored.letters())}
-        moves = list(explored.moves())
-        graph.enabled[state] = frozenset(move.kind for move in moves if move.is_fair)
+        letters, moves = self._moves_of(state)
         first = explored.first(moves)
         edges: list[Edge] = []
         for number, move in enumerate(moves):
@@ -340,6 +337,15 @@ class Search:
                 if not explored.choices.again():
                     break
         graph.edges[state] = tuple(edges)
+
+    def _moves_of(self, state: int) -> tuple[Mapping[Letter, int], Sequence[Move]]:
+        """Take the team back to a state: its agent messages that wait, with their places, and its moves."""
+        explored = self._explored
+        explored.take_back(self._graph.pictures[state])
+        letters = {item: place for place, item in enumerate(explored.letters())}
+        moves = list(explored.moves())
+        self._graph.enabled[state] = frozenset(move.kind for move in moves if move.is_fair)
+        return letters, moves
 
     def _make(self, state: int, number: int, move: Move, before: Mapping[Letter, int]) -> Iterator[Edge]:
         explored, graph, eyes = self._explored, self._graph, self._eyes

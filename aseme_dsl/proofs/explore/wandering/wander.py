@@ -7,7 +7,7 @@ agent are rare, in another one deadlines pass often. What is drawn is the same o
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from random import Random
 
 from aseme_dsl.proofs.explore.explored import Explored, Letter, Move
@@ -212,13 +212,9 @@ class _Wander(Search):
         tries = self._tries.get(state)
         if state in self._crowded or (tries is not None and all(item.is_over for item in tries.values())):
             return None
-        picture = graph.pictures[state]
-        explored.take_back(picture)
-        letters = {item: place for place, item in enumerate(explored.letters())}
-        moves = list(explored.moves())
+        letters, moves = self._moves_of(state)
         if tries is None:
             first = explored.first(moves)
-            graph.enabled[state] = frozenset(move.kind for move in moves if move.is_fair)
             tries = self._tries[state] = {
                 number: Tries() for number, move in enumerate(moves) if first is None or move is first
             }
@@ -254,7 +250,7 @@ class _Wander(Search):
         return favour[move.kind] * favour[agent] * (_LAST if move.kind in self._ends else 1.0)
 
     def _try(
-        self, state: int, number: int, move: Move, letters: dict[Letter, int], tries: Tries
+        self, state: int, number: int, move: Move, letters: Mapping[Letter, int], tries: Tries
     ) -> tuple[int, bool]:
         """Make a move, on a way on which it was not made, if that can be known."""
         explored = self._explored
