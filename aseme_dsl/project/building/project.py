@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from aseme_dsl.compiler import Options
 from aseme_dsl.compiler.checks.consequences import without_told
 from aseme_dsl.compiler.formula.holes import as_notes
-from aseme_dsl.compiler.phases import inspect_files
+from aseme_dsl.compiler.phases import Inspection, inspect_files
 from aseme_dsl.diagnostics import Diagnostic, Problem, Suppressed, has_errors, in_order
 from aseme_dsl.diagnostics.problems.files import NoSystem
 from aseme_dsl.diagnostics.problems.settings import NothingToAllow
@@ -61,6 +61,13 @@ class Compiled:
     """What was proved of each statechart of the system."""
     layout: Layout = NO_PARTS
     """Where the parts lie in which the models' places are; those of diagnostics are in the files."""
+    inspected: Inspection | None = field(default=None, repr=False, compare=False)
+    """What the phases have found, if its places are in the files: not in a workshop."""
+
+    @property
+    def inspection(self) -> Inspection:
+        """What the phases find in the root, with places in the files."""
+        return self.inspected or inspect_files(self.root, None, options_of(self.configuration))
 
 
 @dataclass(frozen=True, slots=True)
@@ -153,6 +160,7 @@ def compile_root(
         analysis.files,
         certificates,
         layout,
+        inspection if layout is NO_PARTS and sources is None else None,
     )
 
 

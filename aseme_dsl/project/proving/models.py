@@ -8,12 +8,12 @@ from pathlib import Path
 from tempfile import TemporaryDirectory
 
 from aseme_dsl import outside
-from aseme_dsl.compiler.phases import inspect_files, watched_of
+from aseme_dsl.compiler.phases import watched_of
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.diagnostics.problems.exporting import NotInModel
 from aseme_dsl.play.scenario import Script
 from aseme_dsl.project.building.build import choose
-from aseme_dsl.project.building.project import Compiled, compile_root, options_of
+from aseme_dsl.project.building.project import Compiled, compile_root
 from aseme_dsl.project.playing.operate import generate_version
 from aseme_dsl.project.proving.promela import NotSaid, promela
 from aseme_dsl.project.proving.prove import of_scope
@@ -52,7 +52,7 @@ def _model(scope: Scope, compiled: Compiled) -> str:
     own = compiled if scope.protocol is None else compile_root(scope.root)
     if own.system is None:
         raise NotSaid("a participant that cannot be played alone", "")
-    watched = watched_of(inspect_files(scope.root, None, options_of(own.configuration)), dict(scope.team))
+    watched = watched_of(own.inspection, dict(scope.team))
     script: Script | None = None
     if watched.refused is None and watched.scripts:
         script = of_scope(watched.scripts[0], scope)

@@ -11,7 +11,7 @@ from time import process_time
 from typing import ParamSpec, Protocol, TypeVar
 
 from aseme_dsl.amola.system import System
-from aseme_dsl.compiler.phases import inspect_files, watched_of
+from aseme_dsl.compiler.phases import watched_of
 from aseme_dsl.diagnostics import Severity
 from aseme_dsl.play.scenario import (
     GUARANTEE,
@@ -27,7 +27,7 @@ from aseme_dsl.play.scenario import (
     ValueAssumed,
 )
 from aseme_dsl.project.building.build import choose
-from aseme_dsl.project.building.project import Compiled, compile_root, options_of
+from aseme_dsl.project.building.project import Compiled, compile_root
 from aseme_dsl.project.playing.operate import generate_version
 from aseme_dsl.project.proving.contradicting import contradiction_in
 from aseme_dsl.project.proving.judging import (
@@ -133,8 +133,7 @@ def _explored(
         reason = f"it cannot be played alone: {wrong.message}"
         yield Result(scope.what, scope.what, Verdict.UNDECIDED, Bounds(scope.agents), reason)
         return
-    inspection = inspect_files(scope.root, None, options_of(own.configuration))
-    watched = watched_of(inspection, dict(scope.team))
+    watched = watched_of(own.inspection, dict(scope.team))
     script = watched.scripts[0] if watched.refused is None else None
     own_script = None if script is None else of_scope(script, scope)
     expected = () if own_script is None else own_script.expectations
@@ -427,7 +426,7 @@ def _left_out(scope: Scope, compiled: Compiled, found: Sequence[Result]) -> Iter
     """The properties and clauses of the whole team of which a smaller one says nothing."""
     assert compiled.system is not None
     whole = {agent.name: agent.role for team in compiled.system.teams[:1] for agent in team.agents}
-    inspection = inspect_files(compiled.root, None, options_of(compiled.configuration))
+    inspection = compiled.inspection
     for team in (whole, dict(scope.team)):
         watched = watched_of(inspection, team)
         if watched.refused is not None:

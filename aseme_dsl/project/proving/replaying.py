@@ -8,10 +8,10 @@ from pathlib import Path
 
 from aseme_dsl import outside
 from aseme_dsl.compiler.phases import inspect_files, scenarios_of
-from aseme_dsl.diagnostics import Severity, has_errors
+from aseme_dsl.diagnostics import Severity, in_order
 from aseme_dsl.play.run import NotPlayable, Played, play
 from aseme_dsl.play.scenario import GUARANTEE, Expectation, Scenario
-from aseme_dsl.project.building.project import compile_root, options_of
+from aseme_dsl.project.building.project import configuration_for, options_of
 from aseme_dsl.project.proving.counterexample import Run, scenario_of
 from aseme_dsl.proofs.explore.explored import Explored
 from aseme_dsl.proofs.explore.memory import Picture
@@ -57,12 +57,13 @@ def played(root: Path | Source, found: Replay, loaded: Loaded, of: Expectation |
     `of`, or one of its own, if that is None."""
     source = root if isinstance(root, Source) else Source(str(root), outside.read_text(root))
     whole = Source(source.path, f"{source.text}\n{found.text}")
-    compiled = compile_root(whole)
-    wrong = [item for item in compiled.diagnostics if item.severity is Severity.ERROR]
-    if has_errors(wrong):
-        return replace(found, problem=f"{wrong[0].message}: `{_line(wrong[0].span)}`")
-    scenarios = scenarios_of(inspect_files(whole, None, options_of(compiled.configuration)), {})
-    scenario = scenarios[-1]
+    configuration, _ = configuration_for(Path(source.path))
+    inspection = inspect_files(whole, None, options_of(configuration))
+    diagnostics = in_order(inspection.analysis.diagnostics)
+    wrong = next((item for item in diagnostics if item.severity is Severity.ERROR), None)
+    if wrong is not None:
+        return replace(found, problem=f"{wrong.message}: `{_line(wrong.span)}`")
+    scenario = scenarios_of(inspection, {})[-1]
     if scenario.refused is not None:
         return replace(found, problem=f"{scenario.refused.reason}: `{_line(scenario.refused.span)}`")
     (script,) = scenario.scripts

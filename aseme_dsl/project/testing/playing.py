@@ -55,10 +55,9 @@ class _Job:
 
 def scenarios_in(compiled: Compiled, bound: Mapping[str, str] = MappingProxyType({})) -> tuple[Scenario, ...]:
     """The scenarios of a system that has no errors; `any ROLE` is the agent that is `bound` to the role."""
-    from aseme_dsl.compiler.phases import inspect_files, scenarios_of
-    from aseme_dsl.project.building.project import options_of
+    from aseme_dsl.compiler.phases import scenarios_of
 
-    return scenarios_of(inspect_files(compiled.root, None, options_of(compiled.configuration)), bound)
+    return scenarios_of(compiled.inspection, bound)
 
 
 def play_scenarios(

@@ -238,6 +238,8 @@ def unmet(graph: Graph, expectation: int) -> tuple[int, tuple[int, ...]] | None:
     Fair: what can happen all the time happens some time.
     """
     pending = {state for state in graph.edges if expectation in graph.awaited[state]}
+    if not pending:
+        return None  # mostly so, and then no library is imported
     ends = [state for state in pending if not graph.enabled[state]]
     if ends:
         return min(ends), ()
