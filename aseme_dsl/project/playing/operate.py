@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from aseme_dsl import outside
+from aseme_dsl.backends.backend import AGENTS
 from aseme_dsl.diagnostics import closest
 from aseme_dsl.project.building.build import Choice
 from aseme_dsl.project.playing.remote import RemoteError, Robot
@@ -110,13 +111,13 @@ def unknown_agent(agent: str, there: Iterable[Node]) -> str:
 
 
 def generate_version(system: System, output: Path, choice: Choice) -> tuple[Path, str]:
-    """Write the packages of a system beside those that run, for agents of every backend; gives the folder of
-    one of them and the hash of its models.
+    """Write the package of a system with the first backend of agents: one under whose messages those of the
+    others are found, too (see `loaded_for`). Gives its folder, and the hash of its models.
 
     Raises:
         OperateError: it cannot be written.
     """
-    files, model = _packages(system, choice)
+    files, model = _packages(system, choice, AGENTS[:1])
     home = output / VERSIONS / model
     for name, content in files.items():
         _put(home / name, content)
@@ -126,7 +127,6 @@ def generate_version(system: System, output: Path, choice: Choice) -> tuple[Path
 @lru_cache(maxsize=1)  # all packages have the same module names, and activities import the newest
 def loaded_for(package: Path, project: Path) -> Loaded:
     """The code of a generated package, for many runs of it in this process. Raises LoadError."""
-    from aseme_dsl.backends.backend import AGENTS
     from aseme_dsl.runtime.version.loading import RoleBackends, load_system
 
     return load_system(package, path=[project], mixture=RoleBackends(names=AGENTS))
@@ -141,7 +141,7 @@ def write_version(system: System, output: Path, choice: Choice, activities: Path
     """
     from aseme_dsl.runtime.version.versions import ACTIVITIES, VersionError, hash_of, read_version
 
-    files, model = _packages(system, choice)
+    files, model = _packages(system, choice, AGENTS)
     for path in sorted(activities.rglob("*")) if activities is not None and activities.is_dir() else ():
         inside = path.relative_to(str(activities))
         if path.is_file() and not any(part == "__pycache__" or part[0] == "." for part in inside.parts):
@@ -185,14 +185,14 @@ def activities_of(there: Iterable[Node]) -> Path | None:
     return Path(str(found.pop())) if found else None
 
 
-def _packages(system: System, choice: Choice) -> tuple[dict[str, bytes], str]:
+def _packages(system: System, choice: Choice, backends: Sequence[str]) -> tuple[dict[str, bytes], str]:
     """The generated files of a version by their paths in it, and the hash of its models."""
-    from aseme_dsl.backends.backend import AGENTS, BackendOptions, find_backend
+    from aseme_dsl.backends.backend import BackendOptions, find_backend
     from aseme_dsl.project.building.build import with_labels
 
     labelled = with_labels(system, choice.labels)
     options = BackendOptions(choice.templates)
-    artefacts = [(name, item) for name in AGENTS for item in find_backend(name).generate(labelled, options)]
+    artefacts = [(name, item) for name in backends for item in find_backend(name).generate(labelled, options)]
     package = next(item.text for _, item in artefacts if item.path == f"{system.name}/__init__.py")
     model = next(line for line in package.splitlines() if line.startswith("MODEL = ")).split("'")[1]
     texts = {f"{name}/{item.path}": item.text for name, item in artefacts if not item.kept}
