@@ -158,7 +158,7 @@ def _stopping_on_termination() -> Iterator[None]:
         signal.signal(signal.SIGTERM, before if before is not None else signal.SIG_DFL)
 
 
-_COMPILING = frozenset("build check diagram export fmt scaffold".split())
+_COMPILING = frozenset("build check diagram export fmt prove scaffold".split())
 """Commands that make models, and then end."""
 
 

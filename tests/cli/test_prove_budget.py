@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import re
+import subprocess
+import sys
+from collections.abc import Iterator
 from itertools import count
 from pathlib import Path
 
 import pytest
 
+from aseme_dsl.compiler import phases
 from tests.cli.support import Here
 
 COUNTING = """\
@@ -81,3 +85,28 @@ property "it" {{ never it in Wait and it in Do_p1 }}
 """)
     (found,) = here("prove", "it.aseme", "it", "--budget", "1s", "--json").json["results"]
     assert "the search was cut after" in found["reason"], found
+
+
+def test_no_file_is_compiled_twice(here: Here, folder: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    texts: list[str] = []
+    inspecting = phases.inspecting
+
+    def counted(root: object, *rest: object) -> Iterator[None]:
+        texts.append(str(getattr(root, "text", root)))
+        return inspecting(root, *rest)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(phases, "inspecting", counted)
+    (folder / "it.aseme").write_text(COUNTING.replace("before 1s", "before 2s"))
+    found = here("prove", "it.aseme", "at first", "--budget", "5s", "--json").json["results"]
+    assert [item["verdict"] for item in found] == ["REFUTED"], found
+    assert len(texts) == 2 and "scenario" in texts[1], "the file, and with the scenario of a counterexample"
+
+
+def test_a_proof_loads_no_libraries_that_it_does_not_need(folder: Path) -> None:
+    (folder / "it.aseme").write_text(COUNTING.replace("9000", "3"))
+    arguments = ["prove", "it.aseme", "deep"]
+    program = f"import sys; from aseme_dsl.cli import main; main({arguments}); print(*sys.modules)"
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    loaded = {*done.stdout.splitlines()[-1].split()}
+    assert "PROVED" in done.stdout and not loaded & {"networkx", "textx", "graphviz", "jsonschema"}
+    assert "aseme_dsl.backends.jade_like" not in loaded
