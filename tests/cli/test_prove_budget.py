@@ -107,6 +107,6 @@ def test_a_proof_loads_no_libraries_that_it_does_not_need(folder: Path) -> None:
     arguments = ["prove", "it.aseme", "deep"]
     program = f"import sys; from aseme_dsl.cli import main; main({arguments}); print(*sys.modules)"
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
+    assert done.stdout.startswith("UNDECIDED deep")
     loaded = {*done.stdout.splitlines()[-1].split()}
-    assert "PROVED" in done.stdout and not loaded & {"networkx", "textx", "graphviz", "jsonschema"}
-    assert "aseme_dsl.backends.jade_like" not in loaded
+    assert not loaded & {"networkx", "textx", "graphviz", "jsonschema", "aseme_dsl.backends.jade_like"}
