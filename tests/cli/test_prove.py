@@ -201,7 +201,7 @@ def test_two_robots_take_the_same_place(prove) -> None:  # type: ignore[no-untyp
     done = prove(CENTRES, "one centre", "--json")
     (item,) = done.json["results"]
     assert (done.code, item["verdict"]) == (1, "REFUTED"), item
-    assert "Who.center in 1, 2, 3" in item["bounds"]
+    assert "Who.center in" not in item["bounds"]  # `number` is written by nothing: it is a constant
     assert sum("publishes" in line for line in item["counterexample"]) == 2
     rule = "control decider { leave Decide : / write_messages.team.state.Who { center = 1 } }"
     fixed = CENTRES.replace("activities { Decide writes team.state.Who }", rule)

@@ -26,16 +26,15 @@ from aseme_dsl.project.proving.watched import (
 from aseme_dsl.proofs.explore.explored import Assumed, Explored
 from aseme_dsl.proofs.explore.questions import Stuck, Untouched, around, stuck, unmet, untouched
 from aseme_dsl.proofs.explore.search import ENOUGH, Graph, Limits, Step, never_untaken
+from aseme_dsl.proofs.explore.wandering.unreached import missing_partner, unreached
 from aseme_dsl.proofs.explore.wandering.wander import Goal
 from aseme_dsl.proofs.timed.schedule import moments
 from aseme_dsl.records import dataclass
-from aseme_dsl.runtime.chart.plan import Plan, State, Transition
+from aseme_dsl.runtime.chart.plan import Plan, State
 from aseme_dsl.runtime.monitor.rules import Always, Before, Never, Until
 from aseme_dsl.runtime.time.clock import SECOND, readable
 from aseme_dsl.runtime.version.loading import Loaded
 
-_RARE = frozenset(("lost", "error", "after"))
-"""Events of transitions that are there for what is not assumed, or for waits that end otherwise."""
 _LONG = 3600 * SECOND
 """So long a scenario waits for what does not come (ns)."""
 _GAPS = (10**9, 10**8, 10**7, 10**6, 10**3, 0)
@@ -67,7 +66,7 @@ def dead_states(found: Sequence[Reached]) -> tuple[Verdict, str]:
     for name, plan in plans.items():
         visited = {label for item in found for label in item.visited.get(name, ())}
         taken = {number for item in found for number in item.taken.get(name, ())}
-        dead += dict.fromkeys(what for _, what in _dead_in(plan, visited, taken))
+        dead += dict.fromkeys(what for _, what in unreached(plan, visited, taken))
     if not dead:
         return Verdict.PROVED, ""
     text = ", ".join(dead[:_SHOWN]) + (f" and {len(dead) - _SHOWN} more" if len(dead) > _SHOWN else "")
@@ -385,12 +384,14 @@ class Judge:
     def reached(self) -> Reached:
         """What the team has reached, also in further searches."""
         graph = self._graph
+        plans = {agent.role: agent.plan for agent in self._explored.agents}
         why = self._incomplete()
+        if not why and self._scope.protocol is not None and (missing := missing_partner(plans.values())):
+            why = f"nobody plays {missing} where the protocol is alone"
         if not why and self._explored.values.computes:
             why = "a few values are tried, and others may lead there"
         if not why and graph.is_queue_cut:
             why = "more messages may be on their way than are looked at"
-        plans = {agent.role: agent.plan for agent in self._explored.agents}
         graphs = [graph, *(part._graph for part in self.parts)]
         visited = {
             role: frozenset().union(*(item.visited.get(role, ()) for item in graphs)) for role in plans
@@ -404,7 +405,7 @@ class Judge:
         for role, plan in found.plans.items():
             visited = found.visited[role] | further.visited.get(role, set())
             taken = found.taken[role] | further.taken.get(role, set())
-            goals |= dict.fromkeys((role, label) for label, _ in _dead_in(plan, visited, taken))
+            goals |= dict.fromkeys((role, label) for label, _ in unreached(plan, visited, taken))
         return [*goals]
 
     def has_enough(self, further: Graph, left: Sequence[Goal]) -> bool:
@@ -542,28 +543,6 @@ def around_of(plan: Plan, label: str) -> Iterator[State]:
     while state is not None:
         yield state
         state = None if state.parent is None else plan.by_label[state.parent]
-
-
-def _dead_in(plan: Plan, visited: Set[str], taken: Set[int]) -> Iterator[tuple[str, str]]:
-    """The states and transitions that were not reached: the label of the state, or of the source, and what
-    is said of it."""
-    passed = {plan.transitions[number].source for number in taken}
-    passed |= {plan.transitions[number].target for number in taken}
-    for state in plan.states:
-        if state.type == "BASIC" and state.label not in visited and state.label not in passed:
-            yield state.label, f"state {plan.called(state)}"
-    for number, item in enumerate(plan.transitions):
-        if number not in taken and _is_expected(item, passed):
-            yield item.source, f"`{' '.join(item.text.split())}` ({item.at})"
-
-
-def _is_expected(item: Transition, passed: set[str]) -> bool:
-    """Whether a written transition should be taken in some run: one whose source is reached."""
-    if not item.text or item.kind not in ("external", "on") or item.source not in passed:
-        return False
-    kinds = {str(event[0]) for event in item.events}
-    words = {str(event[1]) for event in item.events if event[0] == "received"}
-    return not kinds & _RARE and "not_understood" not in words and "cancel" not in words
 
 
 _Reached = tuple[int, frozenset[str]]

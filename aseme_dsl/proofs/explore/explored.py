@@ -25,7 +25,15 @@ from aseme_dsl.proofs.explore.deciding.choosing import Choices
 from aseme_dsl.proofs.explore.deciding.later import Contents, Later
 from aseme_dsl.proofs.explore.deciding.order import Order
 from aseme_dsl.proofs.explore.deciding.outcomes import Outcomes
-from aseme_dsl.proofs.explore.deciding.staging import OPEN, StandsFor, asked_in, events, lists_of, staged
+from aseme_dsl.proofs.explore.deciding.staging import (
+    OPEN,
+    StandsFor,
+    asked_in,
+    events,
+    lists_of,
+    settled,
+    staged,
+)
 from aseme_dsl.proofs.explore.deciding.values import Condition, Values
 from aseme_dsl.proofs.explore.memory import Memory, Picture
 from aseme_dsl.proofs.explore.needed import Asked, needed_for
@@ -180,7 +188,7 @@ class Explored:
             plans,
             loaded.types,
             names,
-            fixed_in(known),
+            {**fixed_in(known), **settled(plans, names)},
             is_few=alone is not None,
             conditions=conditions,
             numbers=numbers,

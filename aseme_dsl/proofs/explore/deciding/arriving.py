@@ -18,8 +18,8 @@ def methods_of(
     holds: Callable[[Chart, Callable[[], object]], bool] | None = None,
 ) -> dict[str, object]:
     """The methods of a chart, with boards that call `looked_for` with a channel when something looks for its
-    newest message and there is none yet. It may put one there. `holds` is asked for conditions, as far as
-    they can be given as functions."""
+    newest message, or for a mean, and there is none yet. It may put one there. `holds` is asked for
+    conditions, as far as they can be given as functions."""
     scope = vars(sys.modules[chart.__module__])
     boards = {
         name: _opened(kind, looked_for)
@@ -46,6 +46,7 @@ def _opened(kind: type[Board], looked_for: Callable[[str], None]) -> type[Board]
                 own[held[slot]] = vars(kind)[slot]
                 own[slot] = _member(vars(kind)[slot], channel, looked_for)
     names = [held.get(slot, slot) for slot in cast("tuple[str, ...]", vars(kind)["__slots__"])]
+    own["mean"] = _looking(kind.mean, looked_for)
     own["shown"] = lambda board: tuple([getattr(board, name) for name in names])
     return cast("type[Board]", type(kind.__name__, (kind,), own))
 
@@ -59,6 +60,17 @@ def _member(raw: MemberDescriptorType, channel: str, looked_for: Callable[[str],
         return message
 
     return property(read, raw.__set__)
+
+
+def _looking(
+    mean: Callable[..., float | None], looked_for: Callable[[str], None]
+) -> Callable[..., float | None]:
+    def look(board: Board, channel: str, host: str | None, since: int, member: str) -> float | None:
+        if host is None and board.newest(channel) is None:
+            looked_for(channel)
+        return mean(board, channel, host, since, member)
+
+    return look
 
 
 __all__ = ["methods_of"]

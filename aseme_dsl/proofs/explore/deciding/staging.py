@@ -116,6 +116,20 @@ def undecided(plan: Plan) -> frozenset[str]:
     )
 
 
+def settled(
+    plans: Collection[Plan], agents: Collection[str]
+) -> dict[tuple[str, tuple[str, ...]], frozenset[object]]:
+    """The numbers and texts that nothing writes, by the names of their variables, with what `agents` hold."""
+    found: dict[str, set[object]] = {}
+    for plan in plans:
+        for item in plan.variables:
+            if item.type in ("int", "double", "duration", "string"):
+                own = (value for agent, name, value in plan.settings if agent in agents and name == item.name)
+                found.setdefault(item.name.partition("@")[0], set()).update((item.initial, *own))
+    written = {name.partition("@")[0] for plan in plans for name in (*undecided(plan), *assigned(plan))}
+    return {(name, ()): frozenset(held) for name, held in found.items() if name not in written}
+
+
 def lists_of(plan: Plan) -> tuple[str, ...]:
     """The lists that activities may write."""
     declared = {name for info in plan.activities for name in info.variables}
@@ -254,6 +268,7 @@ __all__ = [
     "published",
     "raised_by",
     "receivers",
+    "settled",
     "staged",
     "undecided",
     "watched",

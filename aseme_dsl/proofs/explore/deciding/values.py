@@ -11,6 +11,7 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import field
 from enum import IntEnum
 from itertools import count, islice, pairwise, product
+from math import ceil, floor
 from types import NoneType, UnionType
 from typing import Union, cast, get_args, get_origin
 
@@ -459,6 +460,8 @@ class _Reader:
                 return f"{name}()", ()
             case ("taken", tuple() as path):
                 return (taken, _path(path)) if taken else None
+            case ("mean", ("member", *_) as member, _):  # of one message, it is what that says
+                return self._place(member, taken)
         return None
 
 
@@ -535,7 +538,7 @@ def _values(kind: object, known: _Class, agents: Sequence[str]) -> Tried:
     if isinstance(kind, type) and issubclass(kind, IntEnum):
         return Tried(tuple(kind), is_all=True)
     if kind is int:
-        return _numbers(known, [item for item in known.constants if isinstance(item, int)], 1)
+        return _numbers(known, _whole(item for item in known.constants if isinstance(item, int | float)), 1)
     if kind is float:
         numbers = [float(item) for item in known.constants if isinstance(item, int | float)]
         return _numbers(known, numbers, 1.0)
@@ -571,6 +574,8 @@ def _few(kind: object, known: _Class) -> Tried | None:
     if known.is_compared or known.is_computed or known.near or not known.signs:
         return None
     ends = sorted({constant for _, constant in known.signs})
+    if kind is int:
+        ends = _whole(ends)
     if isinstance(kind, type) and issubclass(kind, IntEnum):
         tried: list[float] = list(kind)
     elif kind in (int, float):
@@ -583,6 +588,11 @@ def _few(kind: object, known: _Class) -> Tried | None:
         ways = tuple(COMPARE[sign](value, constant) for sign, constant in sorted(known.signs))
         found.setdefault(ways, value if isinstance(value, IntEnum) else kind(value))
     return Tried(tuple(found.values()), is_all=True)
+
+
+def _whole(numbers: Iterable[float]) -> list[float]:
+    """The whole numbers among some, and those beside each other one."""
+    return sorted({whole for number in numbers for whole in (floor(number), ceil(number))})
 
 
 def _texts(agents: Sequence[str], constants: Sequence[str]) -> dict[str, None]:
