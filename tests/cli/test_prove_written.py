@@ -85,3 +85,25 @@ def test_a_wait_that_such_a_value_causes_is_refuted_and_played(prove, folder: Pa
     (found,) = prove(waits, "deadlock", "--json").json["results"]
     assert found["verdict"] == "REFUTED"
     assert "sets mode = " in found["scenario"]
+
+
+LENT = """\
+system Lab
+import resources
+srm desk {
+  includes resource_keeper
+  liveness { desk = service  places = keeper~ }
+  activities { ConsiderNeed takes 1s simulated  CloseNeed takes 1s simulated }
+}
+srm user {
+  plays resource.holder with whom = "desk", what = "a saw", urgency = 0, lease = 30s, patience = 1min,
+      renewing = false, UseResource = Saw
+  liveness { user = holder }
+}
+team T { desk : desk  one : user }
+property "nobody is refused" { never sent refuse Need }
+"""
+
+
+def test_a_keeper_of_a_resource_may_refuse_without_code(prove) -> None:  # type: ignore[no-untyped-def]
+    assert verdicts(prove(LENT, "nobody is refused", "--json"))["nobody is refused"] == "REFUTED"
