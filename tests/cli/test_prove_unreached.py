@@ -1,4 +1,4 @@
-"""`asemec prove`: what the answer about dead states says of what is hard to reach, and of what is not asked."""
+"""`asemec prove`: what the answer about dead states says of what is hard to reach, or not asked for."""
 
 from __future__ import annotations
 

@@ -31,7 +31,7 @@ def unreached(plan: Plan, visited: Set[str], taken: Set[int]) -> Iterator[tuple[
 
 
 def missing_partner(plans: Collection[Plan]) -> str:
-    """A participant that agents of these plans talk with and that none of them plays; empty if there is none."""
+    """A participant that these plans talk with and that none of them plays; empty if there is none."""
     played = {(info.protocol, info.participant) for plan in plans for info in plan.branches}
     return next(
         (
