@@ -62,9 +62,10 @@ def _member(raw: MemberDescriptorType, channel: str, looked_for: Callable[[str],
     return property(read, raw.__set__)
 
 
-def _looking(
-    mean: Callable[..., float | None], looked_for: Callable[[str], None]
-) -> Callable[..., float | None]:
+_Mean = Callable[[Board, str, str | None, int, str], float | None]
+
+
+def _looking(mean: _Mean, looked_for: Callable[[str], None]) -> _Mean:
     def look(board: Board, channel: str, host: str | None, since: int, member: str) -> float | None:
         if host is None and board.newest(channel) is None:
             looked_for(channel)
