@@ -387,7 +387,7 @@ class Judge:
         plans = {agent.role: agent.plan for agent in self._explored.agents}
         why = self._incomplete()
         if not why and self._scope.protocol is not None and (missing := missing_partner(plans.values())):
-            why = f"nobody plays {missing} where the protocol is alone"
+            why = f"no agent plays {missing} where the protocol is alone"
         if not why and self._explored.values.computes:
             why = "a few values are tried, and others may lead there"
         if not why and graph.is_queue_cut:
