@@ -10,11 +10,14 @@ from __future__ import annotations
 import ast
 import sys
 from collections.abc import Callable, Container, Hashable, Iterator, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import field
 from functools import lru_cache
 from types import CodeType, ModuleType
 from typing import TypeVar, cast
 
 from aseme_dsl.proofs.explore.deciding.choosing import Choices
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.chart import Chart
 
 _T = TypeVar("_T")
@@ -26,6 +29,16 @@ Supposed = dict[Hashable, object]
 """Questions with their answers."""
 
 
+@dataclass(slots=True)
+class _Asked:
+    """What a condition asks next, when it has been given some answers; or whether it is true then."""
+
+    question: Hashable
+    answers: Sequence[object]
+    ways: dict[object, _Asked | bool] = field(default_factory=dict)
+    """What follows an answer, as far as that was looked at."""
+
+
 class Outcomes:
     """What may be so in the present move, as far as its conditions have not told it apart."""
 
@@ -35,6 +48,8 @@ class Outcomes:
         self._group: list[Supposed] = [{}]
         self._now: Supposed | None = None
         """What is supposed while a condition is looked at."""
+        self._asked: dict[Hashable, Sequence[object]] = {}
+        """What it has asked so far, with all answers."""
         self._script: list[int] = []
         self._widths: list[int] = []
         self._place = 0
@@ -58,6 +73,7 @@ class Outcomes:
             return answers[0]
         self._texts[question] = text
         if self._now is not None:
+            self._asked.setdefault(question, answers)
             if question not in self._now:
                 self._now[question] = answers[self._next(len(answers))]
             return cast("_T", self._now[question])
@@ -71,11 +87,17 @@ class Outcomes:
         return cast("_T", chosen)
 
     def holds(self, chart: Chart, condition: Callable[[], object]) -> bool:
-        """Whether a condition is true; what is supposed from now on is all with which it is so."""
+        """Whether a condition is true; what is supposed from now on is all with which it is so.
+
+        The condition is only looked at where it is given other answers than before: the same ones lead to
+        the same result. Not if something hears what is asked: that may be more than is answered here.
+        """
         if self._now is not None:
             return bool(condition())
         found: dict[bool, list[Supposed]] = {}
         effects = len(chart.effects)
+        known = _Asked((), ((),))
+        hears = self._choices.heard is not None
         try:
             for item in self._group:
                 self._script.clear()
@@ -83,8 +105,16 @@ class Outcomes:
                 while True:
                     self._place = 0
                     self._now = dict(item)
-                    found.setdefault(bool(condition()), []).append(self._now)
-                    del chart.effects[effects:]  # what functions have given is noted at the end
+                    is_so = None if hears else self._known(known, self._now)
+                    if is_so is None:
+                        self._place = 0
+                        self._now = dict(item)
+                        self._asked.clear()
+                        is_so = bool(condition())
+                        del chart.effects[effects:]  # what functions have given is noted at the end
+                        with suppress(TypeError):  # an answer that has no hash
+                            self._learn(known, self._now, is_so)
+                    found.setdefault(is_so, []).append(self._now)
                     if not self._again():
                         break
         finally:
@@ -97,6 +127,29 @@ class Outcomes:
             group = group[place : place + MOST]
         self._group = group
         return is_true
+
+    def _known(self, known: _Asked, now: Supposed) -> bool | None:
+        """What a condition is known to be with what is supposed `now`, to which it adds answers; if it is."""
+        way: _Asked | bool | None = known.ways.get(())
+        while type(way) is _Asked:
+            question = way.question
+            if question not in now:
+                now[question] = way.answers[self._next(len(way.answers))]
+            try:
+                way = way.ways.get(now[question])
+            except TypeError:  # an answer that has no hash
+                return None
+        return cast("bool | None", way)
+
+    def _learn(self, known: _Asked, now: Supposed, is_so: bool) -> None:
+        """Note what a condition has asked, and is."""
+        last: object = ()
+        for question, answers in self._asked.items():
+            way = known.ways.get(last)
+            if not isinstance(way, _Asked) or way.question != question:
+                way = known.ways[last] = _Asked(question, answers)
+            known, last = way, now[question]
+        known.ways[last] = is_so
 
     def _split(self, answers: Sequence[_T]) -> _T:
         self._splits += 1
