@@ -117,12 +117,13 @@ def without_faded(patch: pytest.MonkeyPatch) -> None:
 
 
 def explored(
-    text: str | Path, folder: Path, *roles: str, states: int = 1500
+    text: str | Path, folder: Path, *roles: str, states: int = 1500, assumed: Assumed | None = None
 ) -> tuple[Graph, tuple[object, ...]]:
     """What was found, and its answers."""
     loaded = loaded_of(Source("it.aseme", text) if isinstance(text, str) else text, folder)
     eyes = Eyes()
-    team = Explored(loaded, tuple((f"a{place}", role) for place, role in enumerate(roles)), Assumed(), [eyes])
+    names = tuple((f"a{place}", role) for place, role in enumerate(roles))
+    team = Explored(loaded, names, assumed or Assumed(), [eyes])
     graph = search(team, eyes, None, Limits(states, 4.0))
     answers = (
         frozenset(graph.places),

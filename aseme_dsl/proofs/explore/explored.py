@@ -243,7 +243,7 @@ class Explored:
             alone,
             with_times,
         )
-        self._steady = Steady(plans, coming, acting, with_times or alone is not None, assumed.fails)
+        self._steady = Steady(plans, coming, acting, with_times or alone is not None)
         self._events = {plan.name: events(plan) for plan in plans}
         self._ages = {plan.name: thresholds_of(plan)[0] for plan in plans}
         own = {agent.role: coming.own(agent) for agent in self.agents}

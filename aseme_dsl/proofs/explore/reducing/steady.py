@@ -5,13 +5,14 @@ moment: a move of its own lets the agent step with it. So the end has one outcom
 leads back, as nothing new is there. If it is found, the others need no moves.
 
 That is so for an activity that is alone in a region, without conditions around it, if nothing asks where the
-region is. The activity writes no variable, ends in one way, sends nothing, and has no deadline. What it
-publishes comes to its agent alone, at any moment while the activity is active.
+region is, or how the activity has ended. It writes no variable, and sends nothing. What it publishes comes to
+its agent alone, at any moment while the activity is active. How long it takes, and whether it may fail, makes
+no difference: these are moves of their own.
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from typing import cast
 
 from aseme_dsl.proofs.explore.coming import Coming
@@ -25,12 +26,9 @@ from aseme_dsl.runtime.chart.plan import Plan, is_in, terms_of
 class Steady:
     """Knows which ends change nothing."""
 
-    def __init__(
-        self, plans: Sequence[Plan], coming: Coming, acting: Acting, is_timed: bool, fails: Collection[str]
-    ) -> None:
+    def __init__(self, plans: Sequence[Plan], coming: Coming, acting: Acting, is_timed: bool) -> None:
         self._coming = coming
         self._acting = acting
-        self._fails = frozenset(fails)
         self._labels = {
             plan.name: frozenset[str]() if is_timed else frozenset(_steady(plan)) for plan in plans
         }
@@ -42,7 +40,7 @@ class Steady:
         return (
             execution.label in self._labels[agent.role]
             and self._coming.has_more(agent.name)
-            and not (info.ends or info.within or execution.branch or info.name in self._fails)
+            and not execution.branch
             and not self._acting.written(agent, execution, is_end=True)
             and all(
                 not self._acting.matters(channel) or self._coming.is_new(agent, channel)
@@ -57,7 +55,7 @@ def _steady(plan: Plan) -> Iterator[str]:
         str(term[1]) for term in terms_of(plan) if term[:1] in (("in",), ("done",), ("count",), ("outcome",))
     }
     for region in plan.regions:
-        if plan.by_label[region.label].parent is not None and is_steady(plan, region.label):
+        if is_steady(plan, region.label):
             inside = [state for state in plan.states if is_in(state.label, region.label)]
             if asked.isdisjoint(
                 name for state in inside for name in (state.name, state.label, state.activity)
