@@ -10,6 +10,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from enum import Enum, auto
+from functools import cached_property
+from itertools import accumulate
 
 from aseme_dsl.proofs.explore.deciding.ahead import ahead
 from aseme_dsl.proofs.explore.reducing.never import Never
@@ -43,7 +45,9 @@ class Relevant:
         self._gone: dict[tuple[object, ...], _Gone] = {}
         """What makes no difference, by the active leaves and the values of variables that lines write."""
         self._asks: dict[int | str, _Names] = {}
-        self._who: dict[str, tuple[int | str, ...]] = {}
+        self._in_states: dict[str, _Names] = {}
+        """What the activities of states from a leaf on ask for."""
+        self._who: dict[tuple[str, str], tuple[str | None, tuple[int | str, ...]]] = {}
         self._fresh: Chart | None = None
         self._there = frozenset(
             item.name for item in plan.variables if item.type in _SCALARS and item.bounds is None
@@ -72,11 +76,12 @@ class Relevant:
 
     def _find(self, chart: Chart, leaves: tuple[str, ...]) -> _Gone:
         """What makes no difference at these leaves."""
-        asked = _joined(self._asked_from(chart, leaves, None))
+        asked = _joined(self._asked_from(chart, leaves))
         return _Gone(tuple(self._slots(chart, leaves)), asked.timers | self._kept, not asked.counts_answers)
 
     def _slots(self, chart: Chart, leaves: tuple[str, ...]) -> Iterator[tuple[str, object]]:
         """The attributes that make no difference at these leaves, with what they hold from now on."""
+        active = frozenset(label for leaf in leaves for label in _around(leaf))
         dropped: set[str] = set()
         for name, slots in chart.VARIABLES.items():
             reads = self._reads(chart, name, leaves, frozenset((*dropped, name)))
@@ -87,13 +92,11 @@ class Relevant:
                     (slot, _UNKNOWN if reads is _Reads.NO else self._initial(chart, slot)) for slot in slots
                 )
         for label, slot in chart.TIMES.items():
-            if not any(is_in(leaf, label) for leaf in leaves) or self._is_timeless(chart, label, leaves):
+            if label not in active or self._is_timeless(chart, label, leaves):
                 yield slot, 0
         for number, (mark, past) in chart.MARKS.items():
             source = self._plan.transitions[number].source
-            if not any(is_in(leaf, source) for leaf in leaves) or self._is_never(
-                chart, number, leaves, source
-            ):
+            if source not in active or self._is_never(chart, number, leaves, source):
                 if mark:
                     yield mark, None
                 if past:
@@ -130,26 +133,26 @@ class Relevant:
         name = variable.partition("@")[0]
         if name in self._kept:
             return _Reads.YES
-        scope = next((item.scope for item in self._plan.variables if item.name == variable), None)
         found = _Reads.NO
         for leaf in leaves:
-            ahead = self._from(leaf, scope)
-            for place in self._askers(variable, name):
-                if (place if isinstance(place, str) else self._plan.transitions[place].source) not in ahead:
-                    continue
+            known = self._who.get((variable, leaf))
+            scope, askers = known or self._askers(variable, name, leaf)
+            for place in askers:
                 if isinstance(place, str) or not self._never.is_never(chart, place, leaf, scope, without):
                     return _Reads.YES
                 found = _Reads.IN_VAIN
         return found
 
-    def _askers(self, variable: str, name: str) -> tuple[int | str, ...]:
-        """The transitions and activities that ask for a variable."""
-        if variable not in self._who:
-            places = (*(state.label for state in self._plan.states), *range(len(self._plan.transitions)))
-            self._who[variable] = tuple(
-                place for place in places if not {variable, name}.isdisjoint(self._asked(place).variables)
-            )
-        return self._who[variable]
+    def _askers(self, variable: str, name: str, leaf: str) -> tuple[str | None, tuple[int | str, ...]]:
+        """The scope of a variable; and from a leaf on, the transitions and activities that ask for it."""
+        plan = self._plan
+        scope = next((item.scope for item in plan.variables if item.name == variable), None)
+        ahead = self._from(leaf, scope)
+        places: list[int | str] = [state.label for state in plan.states if state.label in ahead]
+        places += [number for number, item in enumerate(plan.transitions) if item.source in ahead]
+        asking = [place for place in places if not {variable, name}.isdisjoint(self._asked(place).variables)]
+        found = self._who[variable, leaf] = scope, tuple(asking)
+        return found
 
     def _initial(self, chart: Chart, slot: str) -> object:
         """What an attribute holds in a new chart."""
@@ -157,15 +160,26 @@ class Relevant:
             self._fresh = type(chart)(chart.PLAN.name)
         return getattr(self._fresh, slot)
 
-    def _asked_from(self, chart: Chart, leaves: tuple[str, ...], scope: str | None) -> Iterator[_Names]:
-        """What is asked for from these leaves on, up to the next entry of `scope`."""
+    def _asked_from(self, chart: Chart, leaves: tuple[str, ...]) -> Iterator[_Names]:
+        """What is asked for from these leaves on, of timers and answers."""
         for leaf in leaves:
-            ahead = self._from(leaf, scope)
-            for label in ahead:
-                yield self._asked(label)
-            for number, item in enumerate(self._plan.transitions):
-                if item.source in ahead and not self._is_never(chart, number, leaves, scope):
-                    yield self._asked(number)
+            if leaf not in self._in_states:
+                self._in_states[leaf] = _joined(map(self._asked, self._from(leaf, None)))
+            yield self._in_states[leaf]
+        for number, source in self._telling:
+            if any(source in self._from(leaf, None) for leaf in leaves) and not self._is_never(
+                chart, number, leaves, None
+            ):
+                yield self._asked(number)
+
+    @cached_property
+    def _telling(self) -> tuple[tuple[int, str], ...]:
+        """The transitions that ask for timers or answers, with their sources."""
+        return tuple(
+            (number, item.source)
+            for number, item in enumerate(self._plan.transitions)
+            if self._asked(number).timers or self._asked(number).counts_answers
+        )
 
     def _from(self, leaf: str, scope: str | None) -> frozenset[str]:
         """The states that may be active from a leaf on, up to the next entry of `scope`."""
@@ -205,6 +219,11 @@ class _Gone:
     slots: tuple[tuple[str, object], ...]
     timers: frozenset[str]
     is_round_over: bool
+
+
+def _around(leaf: str) -> Iterator[str]:
+    """The labels of a state, and of those around it."""
+    return accumulate(leaf.split("."), "{}.{}".format)
 
 
 def _joined(some: Iterable[_Names]) -> _Names:
