@@ -111,3 +111,36 @@ def test_partners_that_nobody_has_to_play_are_not_missed_and_those_of_a_team_are
     ):
         results = prove(text, "dead states", "--json").json["results"]
         assert {item["of"]: item["verdict"] for item in results}[of] == "REFUTED"
+
+
+LENT = """\
+system Lab
+import resources
+srm desk {{
+  includes resource_keeper
+  liveness {{ desk = service  places = keeper~ }}
+}}
+srm user {{
+  plays resource.holder with whom = "{whom}", what = "a saw", urgency = 0, lease = 30s, patience = 1min,
+      renewing = false, UseResource = work
+  liveness {{ user = holder  work = Toss . (Saw | Rest) }}
+  activities {{ Toss ends head, tail }}
+  control work {{ enter Saw : [{saw}]  enter Rest : else }}
+}}
+team T {{ desk : desk  one : user }}
+"""
+
+
+@pytest.mark.parametrize(
+    ("whom", "saw", "left"),
+    [
+        ("desk", "outcome(Toss) == head", ""),
+        ("desk", "index == 2", "state Saw, `[index == 2]`"),
+        ("nobody", "outcome(Toss) == head", "state ConsiderNeed, state KeepInLine"),
+    ],
+)
+def test_lines_of_the_library_need_not_be_taken_in_each_team(prove, whom: str, saw: str, left: str) -> None:  # type: ignore[no-untyped-def]
+    text = LENT.format(whom=whom, saw=saw)
+    (found,) = prove(text, "dead states", "--json", "--states", "400").json["results"]
+    assert (found["verdict"] == "PROVED") == (not left), found
+    assert left in found["reason"].replace(" (it.aseme:12:28)", ""), found

@@ -6,6 +6,7 @@ from collections import deque
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import replace
 from functools import cached_property, partial
+from pathlib import Path
 
 from aseme_dsl.amola.aip import Aip
 from aseme_dsl.amola.system import System
@@ -26,7 +27,7 @@ from aseme_dsl.project.proving.watched import (
 from aseme_dsl.proofs.explore.explored import Assumed, Explored
 from aseme_dsl.proofs.explore.questions import Stuck, Untouched, around, stuck, unmet, untouched
 from aseme_dsl.proofs.explore.search import ENOUGH, Graph, Limits, Step, never_untaken
-from aseme_dsl.proofs.explore.wandering.unreached import missing_partner, unreached
+from aseme_dsl.proofs.explore.wandering.unreached import lines_of, missing_partner, unreached
 from aseme_dsl.proofs.explore.wandering.wander import Goal
 from aseme_dsl.proofs.timed.schedule import moments
 from aseme_dsl.records import dataclass
@@ -34,6 +35,7 @@ from aseme_dsl.runtime.chart.plan import Plan, State
 from aseme_dsl.runtime.monitor.rules import Always, Before, Never, Until
 from aseme_dsl.runtime.time.clock import SECOND, readable
 from aseme_dsl.runtime.version.loading import Loaded
+from aseme_dsl.source import is_library_path
 
 _LONG = 3600 * SECOND
 """So long a scenario waits for what does not come (ns)."""
@@ -48,11 +50,12 @@ _SHOWN = 5
 @dataclass(frozen=True, slots=True)
 class Reached:
     """Which states and transitions of its roles a team has reached; `why` these may not be all, if so.
-    `is_vacuous`: no run is like that."""
+    `is_vacuous`: no run is like that. Transitions that are `spared` need not be taken."""
 
     plans: Mapping[str, Plan]
     visited: Mapping[str, Set[str]]
     taken: Mapping[str, Set[int]]
+    spared: Mapping[str, Set[int]]
     why: str
     is_vacuous: bool
 
@@ -66,7 +69,8 @@ def dead_states(found: Sequence[Reached]) -> tuple[Verdict, str]:
     for name, plan in plans.items():
         visited = {label for item in found for label in item.visited.get(name, ())}
         taken = {number for item in found for number in item.taken.get(name, ())}
-        dead += dict.fromkeys(what for _, what in unreached(plan, visited, taken))
+        spared = {number for item in found for number in item.spared.get(name, ())}
+        dead += dict.fromkeys(what for _, what in unreached(plan, visited, taken, spared))
     if not dead:
         return Verdict.PROVED, ""
     text = ", ".join(dead[:_SHOWN]) + (f" and {len(dead) - _SHOWN} more" if len(dead) > _SHOWN else "")
@@ -397,7 +401,18 @@ class Judge:
             role: frozenset().union(*(item.visited.get(role, ()) for item in graphs)) for role in plans
         }
         taken = {role: frozenset().union(*(item.taken.get(role, ()) for item in graphs)) for role in plans}
-        return Reached(plans, visited, taken, why, bool(self._assumed.contradiction))
+        spared = {role: self._spared(plan) for role, plan in plans.items()}
+        return Reached(plans, visited, taken, spared, why, bool(self._assumed.contradiction))
+
+    def _spared(self, plan: Plan) -> frozenset[int]:
+        """The lines of protocols of the library, but of one that is proved alone: what a role gives to a
+        participant may switch some off."""
+        return frozenset(
+            number
+            for aip in self._system.aips
+            if is_library_path(aip.span.source.path) and aip.name != self._scope.protocol
+            for number in lines_of(plan, aip.name, Path(aip.span.source.path).name)
+        )
 
     def left(self, further: Graph) -> list[Goal]:
         """Where neither a further search nor those before have reached all there is."""
@@ -405,7 +420,9 @@ class Judge:
         for role, plan in found.plans.items():
             visited = found.visited[role] | further.visited.get(role, set())
             taken = found.taken[role] | further.taken.get(role, set())
-            goals |= dict.fromkeys((role, label) for label, _ in unreached(plan, visited, taken))
+            goals |= dict.fromkeys(
+                (role, label) for label, _ in unreached(plan, visited, taken, found.spared[role])
+            )
         return [*goals]
 
     def has_enough(self, further: Graph, left: Sequence[Goal]) -> bool:

@@ -10,9 +10,12 @@ _RARE = frozenset(("lost", "error", "after"))
 """Events of transitions that are there for what is not assumed, or for waits that end otherwise."""
 
 
-def unreached(plan: Plan, visited: Set[str], taken: Set[int]) -> Iterator[tuple[str, str]]:
+def unreached(
+    plan: Plan, visited: Set[str], taken: Set[int], spared: Set[int] = frozenset()
+) -> Iterator[tuple[str, str]]:
     """The states and transitions that were not reached: the label of the state, or of the source, and what
-    is said of it. Of the copies that a number makes, as in `(a . b)[8]`, one has to be."""
+    is said of it. Of the copies that a number makes, as in `(a . b)[8]`, one has to be. Transitions that are
+    `spared` need not be."""
     first = _first_copies(plan)
     lines = [
         (first[item.source], first[item.target], item.kind, item.priority, item.at)
@@ -25,8 +28,9 @@ def unreached(plan: Plan, visited: Set[str], taken: Set[int]) -> Iterator[tuple[
     for state in plan.states:
         if state.type == "BASIC" and first[state.label] not in passed:
             yield state.label, f"state {plan.called(state)}"
-    for line, item in zip(lines, plan.transitions, strict=True):
-        if line not in done and first[item.source] in passed and _is_expected(plan, item):
+    for number, item in enumerate(plan.transitions):
+        is_left = lines[number] not in done and number not in spared
+        if is_left and first[item.source] in passed and _is_expected(plan, item):
             yield item.source, f"`{' '.join(item.text.split())}` ({item.at})"
 
 
@@ -44,6 +48,15 @@ def missing_partner(plans: Collection[Plan]) -> str:
         ),
         "",
     )
+
+
+def lines_of(plan: Plan, protocol: str, file: str) -> Iterator[int]:
+    """The transitions of a plan that a file has written for a protocol."""
+    for info in plan.branches:
+        if info.protocol == protocol:
+            for number, item in enumerate(plan.transitions):
+                if is_in(item.source, info.label) and item.at.split(":")[0] == file:
+                    yield number
 
 
 def _first_copies(plan: Plan) -> dict[str, str]:
@@ -105,4 +118,4 @@ def _holds(term: object, active: frozenset[str]) -> bool | None:
             return None
 
 
-__all__ = ["missing_partner", "unreached"]
+__all__ = ["lines_of", "missing_partner", "unreached"]
