@@ -15,11 +15,11 @@ import re
 import threading
 from collections import deque
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
-from dataclasses import fields, is_dataclass, replace
+from dataclasses import fields, is_dataclass
 from enum import Enum, auto
 from functools import lru_cache, partial
 from hashlib import blake2b
-from operator import attrgetter, is_
+from operator import attrgetter, is_, itemgetter
 from types import (
     BuiltinFunctionType,
     FunctionType,
@@ -37,7 +37,7 @@ from aseme_dsl.proofs.timed.stamp import Stamp
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.board import Whole, whole
 from aseme_dsl.runtime.chart.chart import Chart
-from aseme_dsl.runtime.chart.saving import Saved
+from aseme_dsl.runtime.chart.saving import NOTHING, Saved
 
 _PLAIN = (
     *(type(None), bool, int, float, str, bytes, type, Enum),
@@ -98,6 +98,8 @@ class _Class:
     """Gives the attributes together, if all are there."""
     is_same: Callable[[Any, Any], bool] = _never
     """Whether an object holds the very objects of a content; it may do so though this is not found."""
+    keyed: Callable[[Any], Collection[object]] | None = None
+    """Gives what makes a difference of a content, where that is some of its attributes."""
 
 
 _Atom = tuple[str, int] | int
@@ -147,6 +149,9 @@ Picture = tuple[Section, ...]
 """What all objects of a team hold, by sections."""
 
 _MISSING = object()
+_NOTHING = marshal.dumps((), 2)
+"""The shape of what holds nothing."""
+_CHANGING = frozenset((_Kind.LIST, _Kind.DICT, _Kind.SET))
 
 
 class Memory:
@@ -235,7 +240,7 @@ class Memory:
         objects = tuple(found)
         keyed = len(found) if keyed < 0 else keyed
         if last is not None and _is_alike(objects[:keyed], others, last):
-            return replace(last, objects=objects, found=places)
+            return Section(objects, places, last.places, last.shape, last.names, last.meant)
         differ = places if keyed == len(found) else dict(itertools.islice(places.items(), keyed))
         keying = _Keying(self, differ, others)
         shape = keying.shape(objects[:keyed])
@@ -245,9 +250,23 @@ class Memory:
         """An object with what it holds, which may be what it held last."""
         kind = self.class_of(type(item))
         content, parts = _content(item, kind)
-        if last is not None and last.is_fixed and type(content) is tuple and _are_same(content, last.content):
-            return last
+        if last is not None and last.is_fixed:
+            if kind.has_dict:
+                is_same = _has_same(content, last.content)
+            else:
+                is_same = type(content) is tuple and _are_same(content, last.content)
+            if is_same:
+                return last
         held = _Held(item, kind, content)
+        if not content and kind.kind in _CHANGING:
+            held.shape, held.atoms = _NOTHING, ()
+            return held
+        if (
+            last is not None
+            and kind.keyed is not None
+            and _are_same(kind.keyed(content), kind.keyed(last.content))
+        ):
+            held.shape, held.atoms = last.shape, last.atoms
         if not kind.unkeyed:
             held.is_fixed = self._gather(parts, held.inside)
             return held
@@ -269,7 +288,8 @@ class Memory:
             if own in plain:
                 continue
             if kind is _Kind.TUPLE:
-                is_fixed &= self._gather(cast("Iterable[object]", part), found)
+                parts_of: Any = part
+                is_fixed &= self._gather(parts_of, found)
             elif kind is _Kind.CALL:
                 is_fixed &= self._gather(_inside(part), found) and own is not FunctionType
             else:
@@ -311,7 +331,8 @@ class Memory:
         own = next((layout.parts[base] for base in kind.__mro__ if base in layout.parts), None)
         if own is not None:
             read = _reading(own)
-            return _Class(_Kind.OBJECT, own, unkeyed, read=read, is_same=partial(_holds, read))
+            keyed = _without(own, unkeyed)
+            return _Class(_Kind.OBJECT, own, unkeyed, read=read, is_same=partial(_holds, read), keyed=keyed)
         slots = [
             name
             for base in kind.__mro__
@@ -322,7 +343,15 @@ class Memory:
         names = tuple(dict.fromkeys(slots))
         read = _reading(names)
         is_same = _never if has_dict else partial(_holds, read)
-        return _Class(_Kind.OBJECT, names, unkeyed, has_dict, read, is_same)
+        return _Class(
+            _Kind.OBJECT,
+            names,
+            unkeyed,
+            has_dict,
+            read,
+            is_same,
+            None if has_dict else _without(names, unkeyed),
+        )
 
     # ---- keys --------------------------------------------------------------------------------
 
@@ -398,6 +427,14 @@ def _reading(names: Sequence[str]) -> Callable[[Any], tuple[object, ...]]:
     return lambda item: tuple([getattr(item, name) for name in names])
 
 
+def _without(names: Sequence[str], unkeyed: Collection[str]) -> Callable[[Any], Collection[object]] | None:
+    """What gives a content without what makes no difference; None if all of it does."""
+    kept = [place for place, name in enumerate(names) if name not in unkeyed]
+    if len(kept) == len(names) or len(kept) < 2:
+        return None
+    return itemgetter(*kept)
+
+
 _CONTAINERS = {
     list: _Kind.LIST,
     deque: _Kind.LIST,
@@ -413,6 +450,8 @@ _CONTAINERS = {
 
 def _content(item: Any, kind: _Class) -> tuple[Any, Iterable[object]]:
     """What an object holds, and the objects in it."""
+    if kind.kind is _Kind.OBJECT:  # the usual case
+        return _attributes(item, kind)
     match kind.kind:
         case _Kind.CHART:
             return item.save(), ()
@@ -563,13 +602,15 @@ class _Keying:
 
     def _found(self, atoms: Iterable[_Atom]) -> tuple[object, ...] | None:
         """What stands in the slots; None if an object is meant that does not belong to the team here."""
-        names = self.names
+        names, places = self.names, self._places
         found: list[object] = []
         for atom in atoms:
-            if type(atom) is tuple:
+            if isinstance(atom, tuple):
                 found.append(names.setdefault(atom, len(names)))
                 continue
-            place = self._place(cast(int, atom))
+            place: object = places.get(atom)
+            if place is None:
+                place = self._place(atom)
             if place is None:
                 return None
             found.append(place)
@@ -626,7 +667,7 @@ class _Keying:
         kept = itertools.compress(saved.values, _not_tokens(type(item).places))
         values = [part if type(part) in _SIMPLE else value(part) for part in kept]
         boards = [None if board is None else self._board(whole(board)) for board in saved.boards]
-        return tuple(values), tuple(boards), self._value(tuple(saved.seldom))
+        return tuple(values), tuple(boards), None if saved.seldom is NOTHING else value(tuple(saved.seldom))
 
     def _board(self, held: Whole) -> object:
         return tuple([self._value(part) if part else () for part in (held[0].messages(), *held[1:])])

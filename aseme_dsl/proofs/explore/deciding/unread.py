@@ -20,12 +20,17 @@ class Unread:
     __slots__ = ()
 
 
+_READ = "@"
+"""What reads both of a message, in the class that holds them: nothing else is called so."""
+
+
 def unread_class(kind: type[object], member: Member, more: Mapping[str, object]) -> type[object]:
     """The class of unread messages of a type; `more` are attributes of it.
 
     What a message belongs to stands in a class of its own below the members: these may have any name.
     """
     held = type(kind.__name__, (Unread, kind), {"__slots__": ("path", "root")})
+    setattr(held, _READ, (vars(held)["root"].__get__, vars(held)["path"].__get__))
     own: dict[str, object] = {"__slots__": (), **more}
     plain = kind()
     own |= {
@@ -55,8 +60,8 @@ def unread(opened: type[object], root: object, path: Path) -> object:
 
 def place_of(message: object) -> tuple[object, Path]:
     """What an unread message belongs to, and where it stands in that."""
-    slots = vars(type(message).__mro__[1])
-    return slots["root"].__get__(message), cast("Path", slots["path"].__get__(message))
+    root, path = vars(type(message).__mro__[1])[_READ]
+    return root(message), path(message)
 
 
 def kind_of(message: object) -> type[object]:
