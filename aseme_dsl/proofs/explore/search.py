@@ -143,6 +143,10 @@ class Eyes:
         self.seen.clear()
         self.untaken.clear()
 
+    def wants(self, kind: str, what: str | None) -> bool:
+        """Whether such a line is looked at; others are not made."""
+        return kind in ("step", "unexpected", "error")
+
     def __call__(self, record: Record) -> None:
         match record["kind"]:
             case "step":
