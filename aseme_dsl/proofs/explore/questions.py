@@ -93,17 +93,11 @@ def _waits(explored: Explored, graph: Graph, state: int, place: int, region: int
     """What an agent waits for in a region, if it should not wait for ever."""
     explored.take_back(graph.pictures[state])
     agent = explored.agents[place]
-    if agent.over or agent.down or not agent.chart.started:
-        return None
     label = agent.chart.LEAVES[region][graph.places[state][place][region]]
     plan = agent.plan
     leaf = plan.by_label[label]
     is_over = leaf.type == "END" and leaf.parent == agent.chart.REGIONS[region]
-    if (
-        leaf.type == "AND"
-        or is_over
-        or any(item.waits for item in plan.activities if item.name == leaf.activity)
-    ):
+    if is_over or any(item.waits for item in plan.activities if item.name == leaf.activity):
         return None
     found = {other.name: waits_of(other) for other in explored.agents}
     # What waits behind a part that has ended is the part.
