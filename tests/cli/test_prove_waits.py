@@ -7,7 +7,7 @@ import pytest
 HEAD = """\
 system Hall
 message Go { int n }
-message Ball { bool near }
+message Ball { bool near  int x }
 topic team { signal Go }
 topic eye { state Ball }
 """
@@ -17,6 +17,8 @@ SENDER = "srm b { liveness { b = Send~ } activities { Send writes team.signal.Go
 TEAM = "team T { one : a  two : b }\n"
 GO = "when [team.signal.Go.n > 0]"
 NEAR = "when [eye.state.Ball.near]"
+RARE = "when [eye.state.Ball.x * 7 == 3500]"
+"""What is true for none of the numbers that are tried."""
 TALK = """\
 aip talk {
   participant asker   { process = Ask . Hear }
@@ -57,6 +59,7 @@ def robot(formula: str, *lines: str, more: str = "") -> str:
             robot("A . B", f"enter B : {GO}", more="activities { A waits }") + GIVER, "PROVED", id="it waits"
         ),
         pytest.param(robot("A . B", f"enter B : {NEAR}") + GIVER, "PROVED", id="an input"),
+        pytest.param(robot("A . B", f"enter B : {RARE}") + GIVER, "UNDECIDED", id="a rare input"),
         pytest.param(robot("A . B", "enter B : seen") + GIVER, "PROVED", id="an event"),
         pytest.param(
             robot(
@@ -71,9 +74,9 @@ def robot(formula: str, *lines: str, more: str = "") -> str:
         ),
         pytest.param(
             TALK
-            + robot("(A . B) || replier~", f"enter B : {NEAR}", more="plays talk.replier")
+            + robot("(A . B) || replier~", f"enter B : {RARE}", more="plays talk.replier")
             + "srm b { plays talk.asker  liveness { b = asker } }\n",
-            "PROVED",
+            "UNDECIDED",
             id="an input beside a conversation that may begin",
         ),
     ],
