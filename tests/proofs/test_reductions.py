@@ -22,6 +22,7 @@ from aseme_dsl.project.proving.scopes import Scope, scope_of
 from aseme_dsl.proofs.explore import questions
 from aseme_dsl.proofs.explore.explored import Assumed, Explored, Move
 from aseme_dsl.proofs.explore.questions import untouched
+from aseme_dsl.proofs.explore.reducing.alike import Alike
 from aseme_dsl.proofs.explore.reducing.never import Never
 from aseme_dsl.proofs.explore.reducing.spent import Spent
 from aseme_dsl.proofs.explore.relevant import Relevant
@@ -107,6 +108,38 @@ aip talk {
 """What is read only where another variable holds what it does not hold yet."""
 
 
+COUNTED = """\
+system Talks
+message Word { int n }
+enum Ending { NONE HEARD AGREED REFUSED }
+aip talk {
+  participant asking {
+    var heard  : int    = 0
+    var ending : Ending = Ending.NONE
+    process = Ask . Wait . [Work]
+  }
+  participant asked {
+    var able : bool = false
+    process = Look . (Tell | Refuse)
+  }
+  control asking {
+    enter Wait : / send request Word { n = 1 } to asked
+    on    Wait : inform Word from asked / heard = heard + 1; ending = Ending.HEARD
+    on    Wait : agree Word from asked / heard = heard + 1; ending = Ending.AGREED
+    on    Wait : refuse Word from asked / heard = heard + 1; ending = Ending.REFUSED
+    enter Work : [heard > 0 && ending != Ending.NONE]
+    skip  Work : else
+  }
+  control asked {
+    enter Look   : request Word from asking
+    enter Tell   : [able] / send inform Word { n = 1 } to asking; send agree Word { n = 1 } to asking
+    enter Refuse : else / send refuse Word { n = 1 } to asking
+  }
+}
+"""
+"""What was heard is counted, and asked for once."""
+
+
 @dataclass(frozen=True, slots=True)
 class Said:
     """What a search says of the questions, and how many states it has looked at."""
@@ -132,11 +165,11 @@ def anew() -> None:
 
 
 @lru_cache(maxsize=1)
-def _loaded(text: str) -> tuple[Loaded, Scope]:
+def _loaded(text: str, robots: int = 1) -> tuple[Loaded, Scope]:
     source = Source("talk.aseme", text)
     system = compile_root(source).system
     assert system is not None
-    scope = scope_of(source, system.aips[0], 1)
+    scope = scope_of(source, system.aips[0], robots)
     own = compile_root(scope.root)
     assert own.system is not None, own.diagnostics
     with TemporaryDirectory(prefix="talk-") as folder:
@@ -144,9 +177,9 @@ def _loaded(text: str) -> tuple[Loaded, Scope]:
         return loaded_for(package, Path()), scope
 
 
-def said_of(text: str, crashes: bool = False) -> Said | None:
+def said_of(text: str, crashes: bool = False, robots: int = 1) -> Said | None:
     """What a search says of the only protocol in a file; None if it has too many states."""
-    loaded, scope = _loaded(text)
+    loaded, scope = _loaded(text, robots)
     eyes = Eyes()
     one = frozenset((scope.team[-1][0],))
     explored = Explored(loaded, scope.team, Assumed(crashes=((1, one),) if crashes else ()), [eyes])
@@ -186,6 +219,7 @@ def _nothing(*_: object) -> None:
 REDUCTIONS: Mapping[str, Sequence[tuple[type, str, object]]] = {
     "never": [(Never, "is_never", lambda *_: False)],
     "spent": [(Spent, "forget", _nothing), (Spent, "drop", _nothing), (Spent, "sent", lambda _, acl: acl)],
+    "alike": [(Alike, "forget", _nothing)],
     "first": [(Explored, "first", _nothing)],
     "judged": [(Explored, "judges", True)],
 }
@@ -223,7 +257,7 @@ def _without(patch: pytest.MonkeyPatch, names: Iterable[str]) -> None:
 def test_each_reduction_has_fewer_states_and_the_same_answers(
     monkeypatch: pytest.MonkeyPatch, name: str
 ) -> None:
-    text = ENDS["it waits for ever"]
+    text = COUNTED if name == "alike" else ENDS["it waits for ever"]
     reduced = _said(text)
     _without(monkeypatch, [name])
     full = said_of(text)

@@ -25,7 +25,7 @@ from aseme_dsl.project.proving.watched import (
     unread_of,
 )
 from aseme_dsl.proofs.explore.explored import Assumed, Explored
-from aseme_dsl.proofs.explore.questions import Stuck, Untouched, around, stuck, unmet, untouched
+from aseme_dsl.proofs.explore.questions import Stuck, Untouched, around, stuck, stuck_alone, unmet, untouched
 from aseme_dsl.proofs.explore.search import ENOUGH, Graph, Limits, Step, never_untaken
 from aseme_dsl.proofs.explore.wandering.unreached import lines_of, missing_partner, unreached
 from aseme_dsl.proofs.explore.wandering.wander import Goal
@@ -205,6 +205,18 @@ class Judge:
                 and not any(isinstance(condition, Untaken) for condition in asked)
             ):
                 yield named(item)
+
+    def kept_alone(self) -> frozenset[str]:
+        """The questions that the agent that was explored answers by itself: others change nothing."""
+        explored, graph = self._explored, self._graph
+        if self._incomplete() or explored.others is None or explored.others.is_bounded:
+            return frozenset()
+        found = set[str]()
+        if not any(item.kind in ("failure", "circling") for item in graph.sightings):
+            found.add("failures")
+        if not stuck_alone(explored, graph):
+            found.add("deadlock")
+        return frozenset(found)
 
     def expected(self) -> Iterator[Result]:
         """The answers about what the document says."""
@@ -525,10 +537,11 @@ class Judge:
     ) -> Result:
         span = None if item is None else item.span
         return Result(
-            name, self._scope.what, verdict, self._bounds(), reason, counterexample, span, is_built_in
+            name, self._scope.what, verdict, self.bounds(), reason, counterexample, span, is_built_in
         )
 
-    def _bounds(self) -> Bounds:
+    def bounds(self) -> Bounds:
+        """How far the answers go."""
         graph = self._graph
         delay, times = self._assumed.delay, self._times
         within = "any delay"

@@ -65,6 +65,11 @@ from aseme_dsl.runtime.monitor.rules import Never
 from aseme_dsl.runtime.trace.trace import Listener
 from aseme_dsl.runtime.version.loading import Loaded
 
+ALONE = ("deadlock", "failures")
+"""The questions that each agent can answer for itself."""
+EACH_ALONE = "each agent among others that may do anything"
+"""What was explored to answer them."""
+
 P = ParamSpec("P")
 T = TypeVar("T")
 
@@ -166,6 +171,8 @@ def _explored(
             are none as `_searched` says. `is_all`: also those to what is asked of every team."""
             judge = search_in(team, script, share(parts), about=about)
             given = None if judge is None else judge.answers(is_all=is_all)
+            if judge is not None and given is not None and is_all and judge.is_open:
+                given = replace(given, results=(*among_others(purse, searched, team, given.results, asked),))
             if judge is None or given is None or not judge.is_of_few or given.is_decided:
                 return given
             try:
@@ -246,6 +253,11 @@ class _Purse:
         """What is left, divided by so many: who needs less leaves more to those that come later."""
         return replace(self._limits, seconds=max(self._least, self._left / parts))
 
+    @property
+    def part(self) -> Limits:
+        """A least part."""
+        return replace(self._limits, seconds=self._least)
+
     def spend(self, search: Callable[P, T], *arguments: P.args, **named: P.kwargs) -> T:
         """What a search finds."""
         before = process_time()
@@ -272,6 +284,7 @@ class _Searching(Protocol):
         times: Times | None = None,
         numbers: Sequence[float] | None = (),
         still: frozenset[str] = frozenset(),
+        others: frozenset[str] = frozenset(),
         before: Judge | None = None,
     ) -> Judge | None: ...
 
@@ -319,6 +332,45 @@ def _in_parts(
     return judge
 
 
+def among_others(
+    purse: _Purse, searched: _Searching, scope: Scope, results: Sequence[Result], asked: Sequence[str]
+) -> Iterator[Result]:
+    """The answers, also to questions that each agent answers by itself as others change nothing."""
+    left = {
+        item.name
+        for item in results
+        if item.name in ALONE and item.verdict is Verdict.UNDECIDED and (not asked or item.name in asked)
+    }
+    bounds: list[Bounds] = []
+    for agent in dict((role, name) for name, role in reversed(scope.team)).values() if left else ():
+        others = frozenset(name for name, _ in scope.team if name != agent)
+        judge = purse.spend(_of_all_numbers, searched, scope, others, purse.part)
+        left &= frozenset() if judge is None else judge.kept_alone()
+        if judge is None or not left:
+            break
+        bounds.append(judge.bounds())
+    for item in results:
+        if item.name in left:
+            parts = dict.fromkeys(part for some in bounds for part in some.parts)
+            states = sum(some.states or 0 for some in bounds)
+            within = Bounds(scope.agents, (*parts, EACH_ALONE), states)
+            item = replace(item, verdict=Verdict.PROVED, bounds=within, reason="")
+        yield item
+
+
+def _of_all_numbers(
+    searched: _Searching, scope: Scope, others: frozenset[str], limits: Limits
+) -> Judge | None:
+    """A search of one agent, in which numbers may be any if those that are tried do not stand for all."""
+    judge = searched(scope, None, limits, others=others)
+    try:
+        if judge is not None and judge.is_of_few:
+            return searched(scope, None, limits, others=others, numbers=None)
+    except Unanswerable:
+        return None
+    return judge
+
+
 def _together(parts: Sequence[Result], reached: Sequence[Reached], scope: Scope) -> Iterator[Result]:
     """The answers about groups of agents that do not meet as answers about their team."""
     for name in dict.fromkeys(item.name for item in parts):
@@ -353,12 +405,14 @@ def _searched(
     times: Times | None = None,
     numbers: Sequence[float] | None = (),
     still: frozenset[str] = frozenset(),
+    others: frozenset[str] = frozenset(),
     before: Judge | None = None,
 ) -> Judge | None:
     """One search, with the judge of what it has found. With `about`, it is about that alone: what does not
-    matter to it stands still. Then there is none if everything matters, unless `times` are measured.
-    `numbers` and `still`: see Explored. It is one of long runs, if there were others `before`. Raises
-    Unanswerable, if numbers may be any, and the team asks more of one than how it compares."""
+    matter to it stands still. Then there is none if everything matters, unless `times` are measured. Nor is
+    there one among `others`, if that leaves something out.
+    `numbers`, `still` and `others`: see Explored. It is one of long runs, if there were others `before`.
+    Raises Unanswerable, if numbers may be any, and the team asks more of one than how it compares."""
     eyes = Eyes()
     watch = Watched(script) if script is not None and script.expectations else None
     listeners: list[Listener] = [eyes] if watch is None else [eyes, watch.observer]
@@ -376,11 +430,14 @@ def _searched(
         conditions=tuple(terms_in(script)),
         numbers=numbers,
         still=still,
+        others=others,
     )
     if about is not None and explored.needed is None and times is None:
         return None
+    if others and explored.left_out:
+        return None
     explored.hears = hears(script)
-    if about is not None or times is not None:
+    if about is not None or times is not None or others:
         explored.judged.clear()  # such a search says nothing of messages that nothing takes
     if watch is not None:
         watch.begin(explored)

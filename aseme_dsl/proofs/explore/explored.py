@@ -24,6 +24,7 @@ from aseme_dsl.proofs.explore.deciding.acting import Acting, Free
 from aseme_dsl.proofs.explore.deciding.choosing import Choices
 from aseme_dsl.proofs.explore.deciding.later import Contents, Later
 from aseme_dsl.proofs.explore.deciding.order import Order
+from aseme_dsl.proofs.explore.deciding.others import Others
 from aseme_dsl.proofs.explore.deciding.outcomes import Outcomes
 from aseme_dsl.proofs.explore.deciding.staging import (
     OPEN,
@@ -38,6 +39,7 @@ from aseme_dsl.proofs.explore.deciding.values import Condition, Values
 from aseme_dsl.proofs.explore.memory import Memory, Picture
 from aseme_dsl.proofs.explore.needed import Asked, needed_for
 from aseme_dsl.proofs.explore.on_the_way import Came, come, letter_of, sample_of
+from aseme_dsl.proofs.explore.reducing.alike import Alike
 from aseme_dsl.proofs.explore.reducing.spent import Spent
 from aseme_dsl.proofs.explore.reducing.steady import Steady
 from aseme_dsl.proofs.explore.relevant import Relevant
@@ -140,6 +142,7 @@ class Explored:
         conditions: Sequence[Condition] = (),
         numbers: Sequence[float] | None = (),
         still: frozenset[str] = frozenset(),
+        others: frozenset[str] = frozenset(),
     ) -> None:
         """`listeners` are given the lines of a trace. `further` objects belong to the state of the team;
         `layout` has the parts of these, and what of those is not keyed (see `Layout`). They ask for the
@@ -148,7 +151,8 @@ class Explored:
         each move says when it may happen, counted from those before; else time is not measured. `alone`,
         there is one agent, and it says what comes to that. Where a few numbers do not stand for all, these
         `numbers` are tried, too; None: there is one that may be any, and nothing can be retraced.
-        Agents that stand `still` begin, and make no move after that."""
+        Agents that stand `still` begin, and make no move after that. It is not looked at what `others` do:
+        anything may come of them (see `Others`)."""
         self.choices = Choices()
         self.still = still
         self._assumed = assumed
@@ -175,17 +179,19 @@ class Explored:
         self.bus.links = self.conversations.links = self.ways
         self._roles = dict(team)
         names = [name for name, _ in team]
-        roles = dict.fromkeys(role for _, role in team)
-        plans = [loaded.charts[role].PLAN for role in roles]
-        self._modules = tuple((plan.name, module) for plan in plans for module in plan.modules)
+        plans = [loaded.charts[role].PLAN for role in dict.fromkeys(role for _, role in team)]
+        roles = {role for name, role in team if name not in others}
+        looked_at = [plan for plan in plans if plan.name in roles]
+        self._modules = tuple((plan.name, module) for plan in looked_at for module in plan.modules)
         has = {name: assumed.has.get(name, {}) if alone is None else alone.fixed for name in names}
         known = [
             (channel, has[name].get(channel, {}))
             for name, role in team
+            if name not in others
             for channel in reads_of(loaded.charts[role].PLAN)
         ]
         self.values = Values(
-            plans,
+            looked_at,
             loaded.types,
             names,
             {**fixed_in(known), **settled(plans, names)},
@@ -200,7 +206,9 @@ class Explored:
         known_outside = told if alone is None else frozenset(loaded.messages)
         self.later = Later(self.choices, self.values, self._outcomes, self.order, known_outside)
         contents = Contents(self.choices, self.values, self.later, loaded.messages, told, self.order)
-        is_asked = asked_in(plans, told)
+        is_asked = asked_in(looked_at, told)
+        self.others = Others(self.conversations, self.choices, contents) if others else None
+        """What others may do to the only agent that is explored, if there are any."""
         self._acting = acting = Acting(
             *(self.choices, self.values, contents, plans, self._is_new, self._outcomes, is_asked, kept),
             self.order,
@@ -215,6 +223,7 @@ class Explored:
                 partial(self._look_for, name),
                 with_times,
                 self._outcomes.holds,
+                None if self.others is None or name in others else self.others.methods,
             )
             for name, role in team
         }
@@ -228,8 +237,13 @@ class Explored:
         """The agents that may have been changed in the present move."""
         self.arriving: Underway | None = None
         """What comes in the present move."""
-        self.agents = tuple(self._agent(name, charts[name], loaded) for name, role in team)
+        agents = [self._agent(name, charts[name], loaded) for name in names]
+        self.agents = tuple(agent for agent in agents if agent.name not in others)
         driver.agents = self.agents
+        if self.others is not None:
+            self.ways.deaf = others
+            (agent,) = self.agents
+            self.others.meet(agent, [other for other in agents if other.name in others])
         self.coming = coming = Coming(
             self.agents,
             self.bus,
@@ -253,6 +267,7 @@ class Explored:
         """The regions that matter, if not all do."""
         self.ways.taken = self._is_taken
         self._relevant = {plan.name: Relevant(plan, kept) for plan in plans}
+        self._alike = {plan.name: Alike(plan, kept) for plan in plans}
         self._spent = spent = Spent(plans)
         self.ways.mail = spent.sent
         self._named = {agent.name: agent for agent in self.agents}
@@ -270,7 +285,7 @@ class Explored:
                     self.conversations._sending._choosing,
                     self.conversations.directory,
                     *(self.bus, self.ways, driver, self.crashed, self.late, self.spurned, self.later.decided),
-                    *(self.order.known, *further),
+                    *(self.order.known, *(() if self.others is None else (self.others.paused,)), *further),
                 ],
             ],
             layout_of(loaded, *layout),
@@ -307,6 +322,8 @@ class Explored:
                 return f"nothing is tried for the list {lists[0]}, which activities may write"
             if asks_for_history(agent.plan):
                 return f"{agent.role} asks for the history of a channel"
+        if self.others is not None and (why := self.others.left_out(self.bus)):
+            return why
         for role, module in self._modules:
             if module.variables:
                 return f"the module {module.name} of {role} writes variables"
@@ -364,6 +381,8 @@ class Explored:
         """Forget what makes no difference any more."""
         if self._talks:
             self._forget_talks()
+        if self.others is not None:
+            self.others.forget()
         for agent in self.agents:
             if agent.name not in self._touched:
                 continue
@@ -377,6 +396,7 @@ class Explored:
                 del nodes[label]
             if agent.chart.started and not agent.over and not agent.down:
                 self._relevant[agent.role].forget(agent.chart, OPEN)
+                self._alike[agent.role].forget(agent.chart)
 
     def _forget_talks(self) -> None:
         desks = self.conversations._members.desks
@@ -518,6 +538,8 @@ class Explored:
         self.came = None
         self._touched.clear()
         self._outcomes.begin(is_quiet=move.is_idle)
+        if self.others is not None:
+            self.others.begin()
         self.coming.begin()
         self._is_moving = True
         try:
@@ -553,6 +575,11 @@ class Explored:
             when = Window(0, 0, 0)
             yield Move(("begin",), "the agents begin", self._begin_all, "", window=when)
             return
+        if self.others is not None:
+            for item in self.others.moves():
+                yield Move(item.kind, item.text, item.do, self.agents[0].name, is_fair=False)
+            if self.others.paused[0]:
+                return
         moves = (self._ends(), self._arrivals(), self._times(), self._crashes(), self._given())
         yield from (move for some in moves for move in some if move.agent not in self.still)
 
@@ -690,7 +717,7 @@ class Explored:
                 )
 
     def _crashes(self) -> Iterator[Move]:
-        for most, names in self._assumed.crashes:
+        for most, names in () if self.others is not None else self._assumed.crashes:
             if sum(name in names for name in self.crashed) >= most:
                 continue
             for agent in self.agents:

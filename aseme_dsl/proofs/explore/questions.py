@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence, Set
 from dataclasses import replace
 from functools import partial
 
@@ -113,6 +113,57 @@ def _waits(explored: Explored, graph: Graph, state: int, place: int, region: int
     if agent.name in wait_for_input(needs, explored.writers()):
         return None
     return mine
+
+
+def stuck_alone(explored: Explored, graph: Graph) -> bool:
+    """Whether the only agent that is explored has a wait that it does not end itself, once others say nothing
+    more."""
+    (agent,) = explored.agents
+    back = _back(graph)
+    for region in range(len(agent.chart.REGIONS)):
+        where = [_leaf(places[0], region) for places in graph.places]
+        label = agent.chart.REGIONS[region]
+
+        def ends(edge: Edge, can: Set[int], state: int, where: list[int] = where, label: str = label) -> bool:
+            return edge.target in can or _moves(edge, where, state, agent, label)
+
+        can: set[int] = set()
+        todo = deque(range(len(where)))
+        while todo:
+            state = todo.popleft()
+            if state not in can and any(
+                _surely(edges, 0, partial(ends, can=can, state=state), explored.order.is_exact)
+                for edges in _own(graph.edges.get(state, ()))
+            ):
+                can.add(state)
+                todo.extend(back.get(state, ()))
+        if any(
+            where[state] >= 0 and state not in can and _waits(explored, graph, state, 0, region)
+            for state in range(len(where))
+        ):
+            return True
+    return False
+
+
+def _own(edges: Iterable[Edge]) -> Iterable[list[Edge]]:
+    """What comes of each move that an agent makes itself."""
+    found: dict[int, list[Edge]] = {}
+    for edge in edges:
+        if edge.is_own:
+            found.setdefault(edge.step.number, []).append(edge)
+    return found.values()
+
+
+def _surely(edges: Sequence[Edge], place: int, is_good: Callable[[Edge], bool], is_exact: bool) -> bool:
+    """Whether a move, from its decision `place` on, may turn out well, however many others have answered. If
+    what decisions follow is not exact, each of them has to."""
+    if len(edges) == 1 and place >= len(edges[0].step.way):
+        return is_good(edges[0])
+    ways: dict[int, list[Edge]] = {}
+    for edge in edges:
+        ways.setdefault(edge.step.way[place], []).append(edge)
+    found = (_surely(some, place + 1, is_good, is_exact) for some in ways.values())
+    return all(found) if place in edges[0].counts or not is_exact else any(found)
 
 
 def _past(explored: Explored, agent: Agent) -> str | None:
@@ -306,4 +357,4 @@ def _to(graph: Graph, inside: frozenset[int], state: int, is_wanted: Callable[[E
     return []
 
 
-__all__ = ["Stuck", "around", "stuck", "unmet"]
+__all__ = ["Stuck", "around", "stuck", "stuck_alone", "unmet"]

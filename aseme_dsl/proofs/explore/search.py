@@ -7,6 +7,7 @@ from dataclasses import field
 from heapq import heappop, heappush
 from time import monotonic, process_time
 
+from aseme_dsl.proofs.explore.deciding.others import NothingNew
 from aseme_dsl.proofs.explore.explored import Circling, Explored, Letter, Move
 from aseme_dsl.proofs.explore.memory import Picture
 from aseme_dsl.proofs.timed.stamp import Window
@@ -59,6 +60,10 @@ class Edge:
     letters: tuple[int, ...] = ()
     """Of each agent message that waits after it (see `Graph.letters`): its place among those that waited
     before; NEW or CROSSED if it has come with this move."""
+    is_own: bool = True
+    """Whether nothing has come of others (see `Others`) in it."""
+    counts: tuple[int, ...] = ()
+    """Which of its decisions say how many others have answered."""
 
 
 ENOUGH = "what was asked for is refuted"
@@ -329,8 +334,10 @@ class Search:
             while True:
                 explored.take_back(picture)
                 edges += self._make(state, number, move, letters)
-                if move.is_idle and edges[-1].target == state:
+                if move.is_idle and edges and edges[-1].target == state:
                     break
+                if explored.others is not None:
+                    explored.others.close()
                 kept = explored.choices.kept()
                 yield
                 if self._is_elsewhere:
@@ -360,6 +367,8 @@ class Search:
             explored.make(move)
         except Circling as problem:
             circling = str(problem)
+        except NothingNew:
+            return
         text = "; ".join((move.text, *explored.choices.said))
         self._judge()
         step = Step(
@@ -371,7 +380,10 @@ class Search:
             graph.sightings.append(Sighting("circling", circling, (state, step)))
         new = CROSSED if explored.arriving is not None and explored.arriving.crosses else NEW
         letters = tuple([before.get(item, new) for item in explored.letters()])
-        yield Edge(target, move.kind, frozenset(eyes.taken), step, letters)
+        others = explored.others
+        is_own = others is None or not (others.has_come or move.kind[0] == "other")
+        counts = () if others is None else tuple(others.counts)
+        yield Edge(target, move.kind, frozenset(eyes.taken), step, letters, is_own, counts)
 
     def _judge(self) -> None:
         """Whether a message that nothing takes is more than late: its receiver has let no deadline pass.

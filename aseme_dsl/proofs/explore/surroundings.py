@@ -114,6 +114,8 @@ class Ways:
     now: Callable[[], int] = lambda: NOW
     mail: Callable[[AclMessage], AclMessage] = lambda acl: acl
     """What of an agent message makes a difference."""
+    deaf: frozenset[str] = frozenset()
+    """The agents to which nothing comes."""
 
     def uncross(self) -> None:
         """It makes no difference which messages cross."""
@@ -126,7 +128,7 @@ class Ways:
         self, sender: str, receiver: str, kind: str, what: str, identity: Identity, give: Callable[[], None]
     ) -> None:
         """Something is on its way now."""
-        if kind != "mail" and not self.taken(receiver, what):
+        if receiver in self.deaf or (kind != "mail" and not self.taken(receiver, what)):
             return
         against = self.ways.get((receiver, sender), [])
         crossed = [item for item in against if item.kind == kind == "mail"]

@@ -69,6 +69,15 @@ class Choices:
         if self.heard is not None:
             self.heard.append((what, value))
 
+    @property
+    def place(self) -> int:
+        """How many decisions have been made; which one the next is."""
+        return self._place
+
+    def close(self, place: int) -> None:
+        """The answers to a decision that are still to be tried are not."""
+        self._widths[place] = self._script[place] + 1
+
     def kept(self) -> tuple[list[int], list[int]]:
         """Which ways of the move have been taken, to continue with the next one."""
         return self._script[:], self._widths[:]

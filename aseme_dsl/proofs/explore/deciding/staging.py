@@ -40,13 +40,15 @@ def staged(
     looked_for: Callable[[str], None],
     is_paced: bool,
     holds: Callable[[Chart, Callable[[], object]], bool],
+    more: Callable[[Mapping[str, object]], Mapping[str, object]] | None = None,
 ) -> type[Chart]:
     """The chart of a role whose activities all run until they are ended, without modules. If it is not paced,
     a pause between two runs of one counts as part of the run.
 
     What activities may write is open until it is read: `decide` is asked by the names of the agent and the
     variable. `draw` is asked for random numbers. `looked_for` is called with a channel when something looks
-    for a message that is not there, and `holds` whether a condition is true.
+    for a message that is not there, and `holds` whether a condition is true. `more`
+    gives further methods of the chart, if there are any, for those that it has.
     """
     plan = replace(
         chart.PLAN,
@@ -64,6 +66,8 @@ def staged(
     )
     own = methods_of(chart, looked_for, lambda chart, condition: holds(chart, condition))
     own["random"] = lambda chart: draw(chart.agent)
+    if more is not None:
+        own |= more(own)
     return with_open(chart, plan, own, partial(_opened, decide))
 
 

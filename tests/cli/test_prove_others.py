@@ -1,0 +1,77 @@
+"""`asemec prove`: where a search is cut, each agent is explored among others that may do anything."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+
+GROUP = """\
+system Market
+message Offer { int euros }
+aip sale {
+  participant seller {
+    var sold : bool
+    process = Call . Hear . Close
+  }
+  participant buyer [1..*] {
+    var keen : bool
+    process = Listen . [Bid . [Pay]] . Leave
+  }
+  control seller {
+    enter Hear  : / send cfp Offer { euros = 1 } to buyer
+    on    Hear  : propose Offer o from buyer [!sold]
+                  / sold = true; send agree Offer { euros = 2 } to sender(o)
+    on    Hear  : propose Offer o from buyer / send refuse Offer { euros = 2 } to sender(o)
+    enter Close : after(10s)
+  }
+  control buyer {
+    enter Listen : cfp Offer from seller
+    enter (Bid . [Pay]) : [keen] / send propose Offer { euros = 2 } to seller
+    skip  (Bid . [Pay]) : else
+    enter Pay    : agree Offer from seller
+    skip  Pay    : refuse Offer from seller
+    skip  Pay    : lost seller
+    skip  Pay    : after(1min)
+  }
+}
+"""
+"""One seller calls several buyers: too many states for a short search."""
+PATIENT = GROUP.replace("    skip  Pay    : after(1min)\n", "").replace(
+    "    skip  Pay    : lost seller\n", ""
+)
+"""A buyer waits for an answer, whatever time passes."""
+BOUND = "; any delay; each agent among others that may do anything; "
+
+
+def asked(prove, text: str, question: str):  # type: ignore[no-untyped-def]
+    (found,) = prove(text, question, "--states", "60", "--json").json["results"]
+    return found
+
+
+@pytest.mark.parametrize("question", ["deadlock", "failures"])
+def test_what_each_agent_keeps_by_itself_is_proved(prove, question: str) -> None:  # type: ignore[no-untyped-def]
+    found = asked(prove, GROUP, question)
+    assert found["verdict"] == "PROVED"
+    assert re.fullmatch(rf"1 seller, 2 buyer{BOUND}[0-9]+ states", found["bounds"])
+
+
+def test_a_wait_that_only_others_end_stays_undecided(prove) -> None:  # type: ignore[no-untyped-def]
+    found = asked(prove, PATIENT, "deadlock")
+    assert (found["verdict"], found["reason"]) == ("UNDECIDED", "the search was cut after 60 states")
+
+
+def test_an_agent_that_fails_among_others_is_not_proved_to_fail_never(prove) -> None:  # type: ignore[no-untyped-def]
+    fails = GROUP.replace("    var sold : bool\n", "    var sold : bool\n    var best : agent\n")
+    fails = fails.replace(
+        "enter Close : after(10s)", "enter Close : after(10s) / send refuse Offer { .. } to best"
+    )
+    assert asked(prove, fails, "failures")["verdict"] != "PROVED"
+
+
+def test_one_that_asks_how_old_a_message_is_is_not_explored_so(prove) -> None:  # type: ignore[no-untyped-def]
+    old = GROUP.replace(
+        "skip  Pay    : refuse Offer from seller", "skip  Pay    : refuse Offer o from seller [age(o) > 1s]"
+    )
+    assert old != GROUP
+    assert asked(prove, old, "deadlock")["verdict"] == "UNDECIDED"
