@@ -140,6 +140,32 @@ aip talk {
 """What was heard is counted, and asked for once."""
 
 
+NEWS = """\
+system Talks
+message Word { int n }
+enum Ending { NONE HEARD DONE }
+aip talk {
+  participant asking {
+    var rounds : int    = 0
+    var ending : Ending = Ending.HEARD
+    process = Ask . Wait . Learn
+  }
+  participant asked {
+    process = Look
+  }
+  control asking {
+    enter Wait  : / send request Word { n = 1 } to asked
+    on    Wait  : when [ending != Ending.NONE] / ending = Ending.DONE; rounds = rounds + 1
+    enter Learn : after(5s) [rounds > 1]
+  }
+  control asked {
+    enter Look : request Word from asking
+  }
+}
+"""
+"""What a line gives to a variable is no news to it."""
+
+
 @dataclass(frozen=True, slots=True)
 class Said:
     """What a search says of the questions, and how many states it has looked at."""
@@ -264,6 +290,15 @@ def test_each_reduction_has_fewer_states_and_the_same_answers(
     assert full is not None and reduced is not None
     assert full.answers == reduced.answers
     assert full.states > reduced.states
+
+
+def test_what_a_line_has_given_to_a_variable_is_like_no_other_value(monkeypatch: pytest.MonkeyPatch) -> None:
+    reduced = _said(NEWS)
+    _without(monkeypatch, ["alike"])
+    full = said_of(NEWS)
+    assert full is not None and reduced is not None
+    assert ("asking", "Wait") in full.stuck
+    assert full.answers == reduced.answers
 
 
 def test_the_answers_are_the_same_without_all_reductions(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -60,17 +60,32 @@ class Alike:
                         setattr(chart, slot, most)
 
 
+def _waits_for_news(item: Transition) -> bool:
+    """Whether a line is taken again only when there is news."""
+    return item.kind == "on" and not any(event[0] in ("received", "lost") for event in item.events)
+
+
 def _news_of(item: Transition) -> Iterator[str]:
-    """The variables of which a line waits for news; not those to which it gives a constant, as it is news of
-    that alone for which it waits then."""
-    if item.kind != "on" or any(event[0] in ("received", "lost") for event in item.events):
+    """The variables of which a line waits for news; not those to which it gives nothing but constants, as it
+    is news of these alone for which it waits then."""
+    if not _waits_for_news(item):
         return
-    given = {
-        action[1] for action in item.actions if action[0] == "assign" and _constant(action[2]) is not None
+    assigns = [action for action in item.actions if action[0] == "assign"]
+    given = {action[1] for action in assigns} - {
+        action[1] for action in assigns if _constant(action[2]) is None
     }
     for term in terms_in([item.condition]):
         if term[:1] == ("variable",) and term[1] not in given:
             yield str(term[1])
+
+
+def _given(plan: Plan, name: str) -> Iterator[int]:
+    """The constants that a line gives to a variable and then waits for others."""
+    for item in plan.transitions:
+        if _waits_for_news(item):
+            for action in item.actions:
+                if action[:2] == ("assign", name) and (number := _constant(action[2])) is not None:
+                    yield number
 
 
 def _asked(plan: Plan, variable: Variable) -> _Asked | None:
@@ -79,7 +94,7 @@ def _asked(plan: Plan, variable: Variable) -> _Asked | None:
     if not is_number and (variable.type in _OTHER or variable.type.startswith("list of ")):
         return None
     own = "variable", variable.name
-    constants: set[int] = set()
+    constants = {*_given(plan, variable.name)}
     places = known = 0
     grows = False
     for term in terms_of(plan):
