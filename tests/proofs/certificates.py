@@ -8,8 +8,8 @@ from dataclasses import replace
 from pathlib import Path
 
 from aseme_dsl.project.building.project import compile_root, inputs_of
-from aseme_dsl.project.proving.prove import prove, prove_alone
-from aseme_dsl.project.proving.results import Result, Verdict
+from aseme_dsl.project.proving.prove import EACH_ALONE, prove, prove_alone
+from aseme_dsl.project.proving.results import Bounds, Result, Verdict
 from aseme_dsl.project.proving.scopes import PREFIX, scope_of
 from aseme_dsl.proofs.explore.search import Limits
 from aseme_dsl.records import dataclass
@@ -87,23 +87,22 @@ def answers(case: Case) -> tuple[Result, ...]:
 
 
 def section(case: Case) -> str:
-    """What the page says of a case."""
-    lines = [f"### {case.title}", ""]
-    of = ""
+    """What the page says of a case: a table for all answers with the same bounds."""
+    tables: dict[str, list[str]] = {}
     for item in answers(case):
-        bounds = replace(item.bounds, states=None).text
-        if of != f"{item.of}: `{bounds}`":
-            of = f"{item.of}: `{bounds}`"
-            lines += ["" if lines[-1] else None, f"{of[0].upper()}{of[1:]}", ""]  # type: ignore[list-item]
-            lines += ["| question | verdict | states | reason |", "| --- | --- | --- | --- |"]
-        states = "" if item.bounds.states is None else str(_size(item.bounds.states, case.states))
-        lines.append(f"| {_plain(item.name)} | {item.verdict} | {states} | {_plain(item.reason)} |")
-    return "\n".join(line for line in lines if line is not None) + "\n"
+        of = f"{item.of}: `{replace(item.bounds, states=None).text}`"
+        states = "" if item.bounds.states is None else str(_size(item.bounds, case.states))
+        line = f"| {_plain(item.name)} | {item.verdict} | {states} | {_plain(item.reason)} |"
+        tables.setdefault(f"{of[0].upper()}{of[1:]}", []).append(line)
+    head = ["| question | verdict | states | reason |", "| --- | --- | --- | --- |"]
+    parts = ("\n".join([of, "", *head, *lines]) for of, lines in tables.items())
+    return "\n\n".join([f"### {case.title}", *parts]) + "\n"
 
 
-def _size(states: int, limit: int) -> int:
+def _size(bounds: Bounds, limit: int) -> int:
     """How many states there are; those of the last moves of a search that was cut make no difference."""
-    return min(states, limit)
+    assert bounds.states is not None
+    return bounds.states if EACH_ALONE in bounds.parts else min(bounds.states, limit)
 
 
 def _plain(text: str) -> str:

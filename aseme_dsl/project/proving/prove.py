@@ -254,9 +254,9 @@ class _Purse:
         return replace(self._limits, seconds=max(self._least, self._left / parts))
 
     @property
-    def part(self) -> Limits:
-        """A least part."""
-        return replace(self._limits, seconds=self._least)
+    def of_one(self) -> Limits:
+        """A least part, for a search of one agent: its states are small."""
+        return replace(self._limits, states=4 * self._limits.states, seconds=self._least)
 
     def spend(self, search: Callable[P, T], *arguments: P.args, **named: P.kwargs) -> T:
         """What a search finds."""
@@ -344,7 +344,7 @@ def among_others(
     bounds: list[Bounds] = []
     for agent in dict((role, name) for name, role in reversed(scope.team)).values() if left else ():
         others = frozenset(name for name, _ in scope.team if name != agent)
-        judge = purse.spend(_of_all_numbers, searched, scope, others, purse.part)
+        judge = purse.spend(_of_all_numbers, searched, scope, others, purse.of_one)
         left &= frozenset() if judge is None else judge.kept_alone()
         if judge is None or not left:
             break
