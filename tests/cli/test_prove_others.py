@@ -41,6 +41,27 @@ PATIENT = GROUP.replace("    skip  Pay    : after(1min)\n", "").replace(
     "    skip  Pay    : lost seller\n", ""
 )
 """A buyer waits for an answer, whatever time passes."""
+TEAM = (
+    GROUP
+    + """\
+srm seller {
+  plays sale.seller
+  liveness { seller = sale.seller }
+}
+srm buyer {
+  plays sale.buyer
+  liveness { buyer = sale.buyer . Done . [Rest . Stay] }
+  activities { Done Rest Stay }
+  control buyer {
+    enter (Rest . Stay) : [index > 1]
+    skip  (Rest . Stay) : else
+    enter Stay          : after(5s) [index < 2]
+  }
+}
+team Market { a : seller  b[1..3] : buyer }
+"""
+)
+"""All buyers but the first one wait for ever when they are done."""
 BOUND = "; any delay; each agent among others that may do anything; "
 
 
@@ -75,3 +96,26 @@ def test_one_that_asks_how_old_a_message_is_is_not_explored_so(prove) -> None:  
     )
     assert old != GROUP
     assert asked(prove, old, "deadlock")["verdict"] == "UNDECIDED"
+
+
+def test_agents_of_one_role_that_begin_otherwise_are_explored_each(prove) -> None:  # type: ignore[no-untyped-def]
+    found = prove(TEAM, "deadlock", "--states", "60", "--json").json["results"]
+    assert [item["verdict"] for item in found] == ["UNDECIDED", "PROVED"]
+
+
+def test_agents_of_one_role_that_have_other_inputs_are_explored_each(prove) -> None:  # type: ignore[no-untyped-def]
+    held = TEAM.replace("[index > 1]", "[my.state.Place.number > 1]")
+    held = held.replace("b[1..3] : buyer", "b1 : buyer  b2 : buyer  b3 : buyer").replace(
+        "index < 2", "index > 2"
+    )
+    held = held.replace("aip sale {", "message Place { int number }\ntopic my { state Place }\naip sale {")
+    held += """\
+property "places" {
+  assume b1 has [my.state.Place.number == 1]
+  assume b2 has [my.state.Place.number == 2]
+  assume b3 has [my.state.Place.number == 3]
+  never two of buyer in Done
+}
+"""
+    found = prove(held, "deadlock", "--states", "60", "--json").json["results"]
+    assert [item["verdict"] for item in found] == ["UNDECIDED", "PROVED"]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
@@ -154,6 +154,9 @@ def _explored(
         loaded = loaded_with_writes(package, own.system, compiled.configuration)
         plans = {role: loaded.charts[role].PLAN for _, role in scope.team}
         groups = groups_of(scope.team, plans)
+        kinds = {
+            name: (role, plans[role].begins(name), repr(assumed.has.get(name))) for name, role in scope.team
+        }
         searched = partial(_searched, system=own.system, loaded=loaded, assumed=assumed, asked=asked)
 
         def with_times(item: Result, team: Scope, later: int) -> Result:
@@ -172,7 +175,8 @@ def _explored(
             judge = search_in(team, script, share(parts), about=about)
             given = None if judge is None else judge.answers(is_all=is_all)
             if judge is not None and given is not None and is_all and judge.is_open:
-                given = replace(given, results=(*among_others(purse, searched, team, given.results, asked),))
+                more = among_others(purse, searched, team, given.results, asked, kinds)
+                given = replace(given, results=(*more,))
             if judge is None or given is None or not judge.is_of_few or given.is_decided:
                 return given
             try:
@@ -333,16 +337,22 @@ def _in_parts(
 
 
 def among_others(
-    purse: _Purse, searched: _Searching, scope: Scope, results: Sequence[Result], asked: Sequence[str]
+    purse: _Purse,
+    searched: _Searching,
+    scope: Scope,
+    results: Sequence[Result],
+    asked: Sequence[str],
+    kinds: Mapping[str, object],
 ) -> Iterator[Result]:
-    """The answers, also to questions that each agent answers by itself as others change nothing."""
+    """The answers, also to questions that each agent answers by itself as others change nothing. Of agents
+    that are of one of the `kinds`, the first one stands for all."""
     left = {
         item.name
         for item in results
         if item.name in ALONE and item.verdict is Verdict.UNDECIDED and (not asked or item.name in asked)
     }
     bounds: list[Bounds] = []
-    for agent in dict((role, name) for name, role in reversed(scope.team)).values() if left else ():
+    for agent in {kinds[name]: name for name, _ in reversed(scope.team)}.values() if left else ():
         others = frozenset(name for name, _ in scope.team if name != agent)
         judge = purse.spend(_of_all_numbers, searched, scope, others, purse.of_one)
         left &= frozenset() if judge is None else judge.kept_alone()
