@@ -26,6 +26,8 @@ class Limits:
     seconds: float = 60.0
     queue: int = 4
     """So many agent messages, at the most, are on their way from one agent to another; half of topics."""
+    moves: int = 10**12
+    """So many moves are made at the most."""
 
     @property
     def time(self) -> str:
@@ -304,6 +306,8 @@ class Search:
             return ENOUGH
         if len(self._graph.parents) >= self._limits.states:
             return f"{self._limits.states} states"
+        if self._graph.moves >= self._limits.moves:
+            return f"{self._limits.moves} moves"
         if self._clock.is_over():
             return self._limits.time
         return None

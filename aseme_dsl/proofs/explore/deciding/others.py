@@ -22,14 +22,11 @@ from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.agent.agent import Agent
 from aseme_dsl.runtime.channel.bus import Bus
 from aseme_dsl.runtime.chart.chart import Chart
-from aseme_dsl.runtime.chart.inputs import LOST, AgentMessage, Identity, Input, Outcome, Reason
+from aseme_dsl.runtime.chart.inputs import LOST, REASONS, AgentMessage, Identity, Input, Outcome
 from aseme_dsl.runtime.chart.plan import BranchInfo, terms_of
 from aseme_dsl.runtime.conversation.conversation import Conversations
 from aseme_dsl.runtime.conversation.participation import Participation
 from aseme_dsl.runtime.message.acl import NOT_UNDERSTOOD, AclMessage
-
-REASONS: tuple[Reason, ...] = ("left", "failed", "crashed", "completed")
-"""Why a part may be over."""
 
 
 class NothingNew(BaseException):
