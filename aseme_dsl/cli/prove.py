@@ -63,7 +63,7 @@ _NANOSECOND = 1e-9
     default=200_000,
     show_default=True,
     metavar="N",
-    help="Number of states, at most, in each team; four times as many for one agent among others.",
+    help="Number of states, at most, in each team.",
 )
 @click.option(
     "--save",

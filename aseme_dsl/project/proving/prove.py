@@ -259,9 +259,8 @@ class _Purse:
 
     @property
     def of_one(self) -> Limits:
-        """A least part, for a search of one agent: its states are small, but may have many moves."""
-        states = self._limits.states
-        return replace(self._limits, states=4 * states, moves=100 * states, seconds=self._least)
+        """A least part, for a search of one agent: it has few states, but each may have many moves."""
+        return replace(self._limits, moves=40 * self._limits.states, seconds=self._least)
 
     def spend(self, search: Callable[P, T], *arguments: P.args, **named: P.kwargs) -> T:
         """What a search finds."""
