@@ -107,3 +107,15 @@ property "nobody is refused" { never sent refuse Need }
 
 def test_a_keeper_of_a_resource_may_refuse_without_code(prove) -> None:  # type: ignore[no-untyped-def]
     assert verdicts(prove(LENT, "nobody is refused", "--json"))["nobody is refused"] == "REFUTED"
+
+
+def test_what_comes_from_outside_is_there_for_a_role_whose_code_writes(prove, folder: Path) -> None:  # type: ignore[no-untyped-def]
+    """Its chart is looked into like any other."""
+    (folder / "pyproject.toml").write_text(PROJECT)
+    (folder / "activities").mkdir()
+    (folder / "activities" / "choose.py").write_text(WRITES.format('context.set_variable("mode", 2)'))
+    text = SHOP.replace(
+        "message Order", "message Stock { int left }\ntopic hall { state Stock }\nmessage Order"
+    )
+    text = text.replace("[mode == 2]", "[mode == 2 && has(hall.state.Stock)]")
+    assert verdicts(prove(text, "dead states", "--json"))["dead states"] == "PROVED"

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from dataclasses import replace
 from pathlib import Path
+from types import FunctionType
 from typing import cast
 
 from aseme_dsl.amola.system import System
@@ -47,7 +48,10 @@ def _writing(chart: type[Chart], written: Mapping[str, Collection[str | None]]) 
     )
     if activities == plan.activities:
         return chart
-    own: dict[str, object] = {"__slots__": (), "PLAN": replace(plan, activities=activities)}
+    methods = {name: item for name, item in vars(chart).items() if isinstance(item, FunctionType)}
+    # What is opened where a team is explored are the methods of the class, in the names of its module.
+    own: dict[str, object] = {**methods, "__slots__": (), "__module__": chart.__module__}
+    own["PLAN"] = replace(plan, activities=activities)
     return cast("type[Chart]", type(chart.__name__, (chart,), own))
 
 
