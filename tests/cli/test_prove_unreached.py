@@ -101,6 +101,9 @@ def test_a_protocol_that_is_alone_has_no_partners_of_another(prove) -> None:  # 
     assert (first["of"], first["verdict"]) == ("protocol hand_over", "PROVED")
     assert (second["of"], second["verdict"]) == ("protocol delivery", "UNDECIDED")
     assert second["reason"].endswith("; no agent plays taker of hand_over where the protocol is alone")
+    _, waits = prove(NESTED.format(most=""), "deadlock", "--json").json["results"]
+    assert (waits["of"], waits["verdict"]) == ("protocol delivery", "UNDECIDED")
+    assert waits["reason"].endswith("; no agent plays taker of hand_over where the protocol is alone")
 
 
 def test_partners_that_nobody_has_to_play_are_not_missed_and_those_of_a_team_are(prove) -> None:  # type: ignore[no-untyped-def]

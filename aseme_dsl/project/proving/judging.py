@@ -358,8 +358,18 @@ class Judge:
         reason = (
             f"{found.agent} waits {waiting.where} {waiting.name} for ever{f' for {what}' if what else ''}"
         )
+        if missing := self._missing:
+            why = f"{reason}; {missing}"
+            return self._result("deadlock", Verdict.UNDECIDED, why, is_built_in=True)
         steps = self._graph.way_to(found.state)
         return self._refuted("deadlock", reason, steps, further=_LONG, expects=[self._waits(found)])
+
+    @property
+    def _missing(self) -> str:
+        """Which partner of a participant is not there, as the protocol is alone; empty if none is missing."""
+        plans = [agent.plan for agent in self._explored.agents]
+        missing = "" if self._scope.protocol is None else missing_partner(plans)
+        return f"no agent plays {missing} where the protocol is alone" if missing else ""
 
     def _waits(self, found: Stuck) -> str:
         """That an agent does not wait where it waits for ever."""
@@ -401,9 +411,7 @@ class Judge:
         """What the team has reached, also in further searches."""
         graph = self._graph
         plans = {agent.role: agent.plan for agent in self._explored.agents}
-        why = self._incomplete()
-        if not why and self._scope.protocol is not None and (missing := missing_partner(plans.values())):
-            why = f"no agent plays {missing} where the protocol is alone"
+        why = self._incomplete() or self._missing
         if not why and self._explored.values.computes:
             why = "a few values are tried, and others may lead there"
         if not why and graph.is_queue_cut:
