@@ -6,6 +6,8 @@ import pytest
 
 from tests.cli.test_prove import verdicts
 
+pytestmark = pytest.mark.long
+
 KEEPER = """\
 system Keeper
 message Ball {{ double speed  double bearing }}

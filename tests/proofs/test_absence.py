@@ -188,7 +188,12 @@ def test_random_charts_do_the_same(seed: int, tmp_path: Path, monkeypatch: pytes
 
 
 @pytest.mark.parametrize(
-    ("example", "role"), [("goalie", "goalie"), ("home", "porter"), ("warehouse", "porter")]
+    ("example", "role"),
+    [
+        pytest.param("goalie", "goalie", marks=pytest.mark.long),
+        ("home", "porter"),
+        ("warehouse", "porter"),
+    ],
 )
 def test_examples_do_the_same(
     example: str, role: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
