@@ -62,7 +62,8 @@ class Alike:
 
 def _waits_for_news(item: Transition) -> bool:
     """Whether a line is taken again only when there is news."""
-    return item.kind == "on" and not any(event[0] in ("received", "lost") for event in item.events)
+    hears = any(event[0] in ("received", "lost") for event in item.events)
+    return item.kind == "on" and (item.when or not hears)
 
 
 def _news_of(item: Transition) -> Iterator[str]:
