@@ -41,6 +41,16 @@ srm robot {
 """
 """One state is reached only if a sum is great, which it is with the greatest value of the variable."""
 
+ONE_OF_MANY = """\
+system S
+srm robot {{
+  var n : int {bounds} = 8
+  liveness {{ robot = Think . (Run | Rest) }}
+  activities {{ Think writes n }}
+  control robot {{ enter Run : [n == 8]  enter Rest : else }}
+}}
+"""
+
 
 @pytest.mark.parametrize(
     ("repeats", "ends", "deadlock"),
@@ -93,3 +103,14 @@ def test_only_what_a_variable_can_hold_is_tried_and_its_bounds_are(here: Here, f
     (folder / "team.aseme").write_text(BOUNDED)
     found = here("prove", "team.aseme", "dead states").out
     assert found.startswith("PROVED    dead states of team [1 robot; any delay; n in 0, 2, 3; "), found
+
+
+@pytest.mark.parametrize("bounds", ["8..20", "0..8"])
+def test_of_the_numbers_that_are_alike_one_is_tried_that_the_variable_can_hold(
+    here: Here, folder: Path, bounds: str
+) -> None:
+    text = ONE_OF_MANY.format(bounds=bounds)
+    (folder / "team.aseme").write_text(text)
+    found = here("prove", "team.aseme", "dead states")
+    assert found.out.startswith("PROVED    dead states of team [1 robot; any delay; "), found
+    assert " in " not in found.out

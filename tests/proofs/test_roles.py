@@ -12,8 +12,9 @@ from pathlib import Path
 import pytest
 
 from aseme_dsl.project.building.project import compile_root
-from aseme_dsl.proofs.explore import coming
+from aseme_dsl.proofs.explore import coming, relevant
 from aseme_dsl.proofs.explore.coming import Coming
+from aseme_dsl.proofs.explore.deciding import values
 from aseme_dsl.proofs.explore.deciding.later import Later
 from aseme_dsl.proofs.explore.deciding.values import Values
 from aseme_dsl.proofs.explore.explored import Assumed, Explored
@@ -83,7 +84,41 @@ srm robot {
   }
 }
 """
+ROUND = """\
+system Round
+message Ball { double x }
+topic eye { state Ball }
+srm robot {
+  var zone : int = 3
+  var next : int = 0
+  var last : int = 0
+  liveness { robot = (Drive(next, zone) . (Look | Kick))~ }
+  activities { Drive(to : int, of : int)  Look }
+  control robot {
+    enter Look : [eye.state.Ball.x > 3] / next = (next + 1) % 4; last = LAST
+    enter Kick : else
+    repeat (Drive(next, zone) . (Look | Kick)) : [MORE]
+  }
+}
+"""
+"""What only goes to an activity is counted round, and a number is only compared with one constant."""
+GIVEN = ROUND.replace("LAST", "next").replace("MORE", "true")
+ASKED = ROUND.replace("LAST", "next").replace("MORE", "last < 2")
+MAY_FAIL = ROUND.replace("LAST", "10 % next").replace("MORE", "true")
+COUNTED = """\
+system Counted
+srm robot {
+  var level : int
+  liveness { robot = (Count . (Rest | Work))~ }
+  activities { Count writes level }
+  control robot { enter Work : [level > 3]  enter Rest : else }
+}
+"""
 YOUNG = ORDERS.replace("LINE", "age(team.state.Order) < 1s && team.state.Order.first > 1")
+YOUNG_LAST = YOUNG.replace(
+    "age(team.state.Order) < 1s && team.state.Order.first > 1",
+    "team.state.Order.first > 1 && age(team.state.Order) < 1s",
+)
 ANY_AGE = ORDERS.replace("LINE", "team.state.Order.first > 1")
 
 Without = Callable[[pytest.MonkeyPatch], None]
@@ -116,15 +151,31 @@ def without_faded(patch: pytest.MonkeyPatch) -> None:
     patch.setattr(coming, "faded_in", lambda _: {})
 
 
+def without_faint(patch: pytest.MonkeyPatch) -> None:
+    patch.setattr(relevant, "faint_in", lambda _: frozenset())
+
+
+def without_few(patch: pytest.MonkeyPatch) -> None:
+    patch.setattr(values, "_few", lambda *_: None)
+
+
+REDUCTIONS = without_steady, without_like, without_faded, without_faint, without_few
+
+
 def explored(
-    text: str | Path, folder: Path, *roles: str, states: int = 1500, assumed: Assumed | None = None
+    text: str | Path,
+    folder: Path,
+    *roles: str,
+    states: int = 1500,
+    seconds: float = 4,
+    assumed: Assumed | None = None,
 ) -> tuple[Graph, tuple[object, ...]]:
     """What was found, and its answers."""
     loaded = loaded_of(Source("it.aseme", text) if isinstance(text, str) else text, folder)
     eyes = Eyes()
     names = tuple((f"a{place}", role) for place, role in enumerate(roles))
     team = Explored(loaded, names, assumed or Assumed(), [eyes])
-    graph = search(team, eyes, None, Limits(states, 4.0))
+    graph = search(team, eyes, None, Limits(states, seconds))
     answers = (
         frozenset(graph.places),
         {name: frozenset(labels) for name, labels in graph.visited.items()},
@@ -141,6 +192,9 @@ def explored(
         pytest.param(STEADY, ("robot",), without_steady, id="steady"),
         pytest.param(YOUNG, ("chief", "robot"), without_like, id="like"),
         pytest.param(YOUNG, ("chief", "robot"), without_faded, id="faded"),
+        pytest.param(YOUNG_LAST, ("chief", "robot"), without_faded, id="faded, the age last"),
+        pytest.param(GIVEN, ("robot",), without_faint, id="faint"),
+        pytest.param(COUNTED, ("robot",), without_few, id="few"),
     ],
 )
 def test_each_has_less_to_do_and_the_same_answers(
@@ -180,6 +234,16 @@ def test_what_is_asked_at_any_age_is_kept(tmp_path: Path, monkeypatch: pytest.Mo
     assert (answers, len(reduced.parents)) == (others, len(full.parents))
 
 
+@pytest.mark.parametrize("text", [ASKED, MAY_FAIL], ids=["a condition asks for it", "it may fail"])
+def test_what_decides_something_is_not_faint(
+    text: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    reduced, answers = explored(text, tmp_path / "a", "robot")
+    without_faint(monkeypatch)
+    full, others = explored(text, tmp_path / "b", "robot")
+    assert (answers, len(reduced.parents)) == (others, len(full.parents))
+
+
 @pytest.mark.parametrize(
     ("text", "spoil"),
     [
@@ -214,7 +278,7 @@ def test_random_charts_have_the_same_answers(
     if compile_root(Source("it.aseme", text)).system is None:
         pytest.skip("not a chart")
     reduced, answers = explored(text, tmp_path / "a", "R", states=500)
-    for without in (without_steady, without_like, without_faded):
+    for without in REDUCTIONS:
         without(monkeypatch)
     full, others = explored(text, tmp_path / "b", "R", states=2000)
     if full.cut is not None or reduced.cut is not None:
@@ -224,15 +288,17 @@ def test_random_charts_have_the_same_answers(
         print(seed, full.moves, reduced.moves, len(full.parents), len(reduced.parents), flush=True)
 
 
-@pytest.mark.parametrize(("example", "role"), [("goalie", "goalie")])
+@pytest.mark.parametrize(
+    ("example", "role"), [("goalie", "goalie"), pytest.param("patrol", "guard", marks=pytest.mark.long)]
+)
 def test_examples_have_the_same_answers(
     example: str, role: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    (root,) = (EXAMPLES / example).glob("*.aseme")
+    root = next(iter(sorted((EXAMPLES / example).glob("*.aseme"))))
     reduced, answers = explored(root, tmp_path / "a", role)
-    for without in (without_steady, without_like, without_faded):
+    for without in REDUCTIONS:
         without(monkeypatch)
-    full, others = explored(root, tmp_path / "b", role)
+    full, others = explored(root, tmp_path / "b", role, states=4000, seconds=120)
     assert reduced.cut is full.cut is None
     assert answers == others
     assert reduced.moves <= full.moves

@@ -195,7 +195,7 @@ class Explored:
             loaded.types,
             names,
             {**fixed_in(known), **settled(plans, names)},
-            is_few=alone is not None,
+            is_few=True,
             conditions=conditions,
             numbers=numbers,
         )
@@ -271,7 +271,8 @@ class Explored:
         self._spent = spent = Spent(plans)
         self.ways.mail = spent.sent
         self._named = {agent.name: agent for agent in self.agents}
-        self.judged = {"orphan", "race"} if self._talks else set[str]()
+        sends = any(info.sends or info.moves for plan in plans for info in plan.branches)
+        self.judged = {"orphan", "race"} if sends else set[str]()
         """What is still asked of messages that nothing takes: whether one is an orphan, and whether two
         agents have sent past each other."""
         self.hears = False

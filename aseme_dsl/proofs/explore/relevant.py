@@ -2,7 +2,7 @@
 
 A variable that nothing reads before it is written anew is the same in all states. So are a timer that
 nothing asks for, and the time since a state was entered that has been left. What only those transitions ask
-for that can never be taken again makes no difference, either.
+for that can never be taken again makes no difference, either, nor does a variable that is `faint`.
 """
 
 from __future__ import annotations
@@ -14,13 +14,13 @@ from functools import cached_property
 from itertools import accumulate
 
 from aseme_dsl.proofs.explore.deciding.ahead import ahead
+from aseme_dsl.proofs.explore.reducing.faint import SCALARS, faint_in, is_there
 from aseme_dsl.proofs.explore.reducing.never import Never
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.plan import Plan, is_in, terms_in
 
 _UNKNOWN = object()
-_SCALARS = ("bool", "int", "double", "string")
 _COUNTING = (("invited",), ("answered",), ("all_answered",))
 
 
@@ -49,8 +49,9 @@ class Relevant:
         """What the activities of states from a leaf on ask for."""
         self._who: dict[tuple[str, str], tuple[str | None, tuple[int | str, ...]]] = {}
         self._fresh: Chart | None = None
+        self._faint = faint_in(plan)
         self._there = frozenset(
-            item.name for item in plan.variables if item.type in _SCALARS and item.bounds is None
+            item.name for item in plan.variables if item.type in SCALARS and item.bounds is None
         )
         """The variables that always hold something, and can hold any value of their type."""
 
@@ -133,6 +134,8 @@ class Relevant:
         name = variable.partition("@")[0]
         if name in self._kept:
             return _Reads.YES
+        if variable in self._faint:
+            return _Reads.IN_VAIN
         found = _Reads.NO
         for leaf in leaves:
             known = self._who.get((variable, leaf))
@@ -244,23 +247,8 @@ def _asked_by(actions: Sequence[tuple[object, ...]], there: frozenset[str]) -> I
     for action in actions:
         found = _names([_parts(action)])
         yield replace(found, variables=found.variables - written)
-        if action[0] == "assign" and action[1] in there and _is_there(action[2], there):
+        if action[0] == "assign" and action[1] in there and is_there(action[2], there):
             written.add(str(action[1]))
-
-
-def _is_there(term: object, there: frozenset[str]) -> bool:
-    """Whether a value is surely there: without it, an action is not done."""
-    match term:
-        case ("const", value):
-            return value is not None
-        case ("enum", *_) | ("sender",):
-            return True
-        case ("variable", name):
-            return name in there
-        case ("==" | "!=" | "<" | "<=" | ">" | ">=" | "&&" | "||" | "!" | "+" | "-" | "*", *parts):
-            return all(_is_there(part, there) for part in parts)
-        case _:
-            return False
 
 
 def _bound(terms: list[object], names: set[str]) -> int | None:

@@ -82,7 +82,7 @@ def layout_of(
     unkeyed = {
         Agent: frozenset(("_sequence", "steps", "_configuration")),
         Execution: frozenset(("number", "started")),
-        inputs.Start: frozenset(("token",)),
+        inputs.Start: frozenset(("token", "arguments")),
         _Node: frozenset(("starts", "last_start", "last_end")),
         Still: frozenset(("running",)),
         Bus: frozenset(("_given",)),
@@ -95,7 +95,7 @@ def layout_of(
         Known: frozenset(("zone", "whole", "loose", "made")),
     }
     ordered = {
-        Desk: lambda desk: tuple((part, tuple(places)) for part, places in desk.free.items()),
+        Desk: lambda desk: tuple((part, tuple(places)) for part, places in sorted(desk.free.items())),
         Choosing: lambda item: tuple(sorted(item._addressed, key=item._addressed.__getitem__)),
     }
     return Layout(values, constant, {**parts, **further}, {**unkeyed, **without}, ordered)

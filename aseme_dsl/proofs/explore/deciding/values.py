@@ -299,6 +299,11 @@ class _Reader:
 
     def learn(self) -> None:
         """Learn what the plan does with values."""
+        for variable in self.plan.variables:
+            if variable.bounds is not None and variable.type in ("int", "double"):
+                least, most = variable.bounds
+                place = variable.name.partition("@")[0], ()
+                self.values.use(place).signs |= {(">=", least), ("<=", most)}
         for item in self.plan.transitions:
             taken = next((str(event[2]) for event in item.events if event[0] == "received"), "")
             if item.condition is not None:

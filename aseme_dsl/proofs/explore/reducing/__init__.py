@@ -2,6 +2,7 @@
 
 - `spent`: what conversations remember that makes no difference any more
 - `never`: transitions that cannot be taken again
+- `faint`: variables that decide nothing
 - `alike`: values of variables that no line can tell apart
 - `faded`: what messages say that are too old for anything to ask for it
 - `steady`: ends of activities that do nothing but what another move does

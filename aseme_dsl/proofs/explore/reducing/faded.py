@@ -2,12 +2,13 @@
 
 A condition such as `age(x.Order) < 1s && x.Order.number == 3` does not look at the order once it is old: what
 it says makes no difference from then on, until a new one comes. That is so if each condition that looks at a
-message asks for its age first, in the same `&&`, and nothing else looks at it.
+message asks for its age, too, in the same `&&`, and nothing else looks at it.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from operator import itemgetter
 
 from aseme_dsl.runtime.chart.plan import Plan
 
@@ -32,12 +33,10 @@ def _look(term: object, young: Mapping[str, int], found: dict[str, int], open_: 
     """Note what looks into messages, where those on the channels `young` are not older than so (ns)."""
     match term:
         case ("&&", *parts):
-            now = dict(young)
+            limits = [(channel, age) for part in parts for channel, age in _limit(part)]
+            now = dict(young) | dict(sorted(limits, key=itemgetter(1), reverse=True))
             for part in parts:
                 _look(part, now, found, open_)
-                match part:
-                    case ("<", ("age", ("member", None, str() as channel, ())), ("const", int(age))):
-                        now[channel] = age
         case ("age", ("member", None, str(), ())):
             pass
         case ("member", None, str() as channel, tuple()) if channel in young:
@@ -47,6 +46,13 @@ def _look(term: object, young: Mapping[str, int], found: dict[str, int], open_: 
                 _look(part, young, found, open_)
         case str():
             open_.add(term)
+
+
+def _limit(term: object) -> Iterator[tuple[str, int]]:
+    """The channel and the age, if a condition is that its newest message is younger than that."""
+    match term:
+        case ("<", ("age", ("member", None, str() as channel, ())), ("const", int(age))):
+            yield channel, age
 
 
 __all__ = ["faded_in"]

@@ -5,6 +5,7 @@ What is forgotten, and why nothing reads it later:
 - the last messages taken, of each kind: code of activities alone reads them, and none runs here;
 - which messages were answered when a part ended: it is asked while an agent takes its inputs in, and between
   two moves none waits;
+- that there were places which no message has taken, once there are none;
 - the names that answers use for messages: only rounds of answers compare them, so they stay if a protocol
   counts answers;
 - which performative an agent was sent last: a part that ends asks only whether an answer was asked for, and
@@ -47,6 +48,8 @@ class Spent:
     def forget(self, desk: Desk) -> None:
         """Forget what makes no difference any more at the desk of an agent, between two moves."""
         desk.returned.clear()
+        for part in [part for part, places in desk.free.items() if not places]:
+            del desk.free[part]
         for place in desk.branches.values():
             self._forget(place)
 
