@@ -90,3 +90,30 @@ def test_one_that_is_written_in_another_role_is_none(prove) -> None:  # type: ig
     text = text % (" writes limit", "", "srm a { var limit : double = 7  liveness { a = E } }\n")
     text = text.replace("one : a", "two : a  one : x")
     assert verdicts(prove(text, "not so far", "--json"))["not so far"] != "PROVED"
+
+
+AGED = """\
+system S
+message Ball {{ bool near }}
+topic eye {{ state Ball }}
+let old = age(eye.state.Ball)
+srm dog {{
+  liveness {{ dog = (Wait . (Run | Rest))~ }}
+  activities {{ Wait takes 1s }}
+  control dog {{ enter Run : [{condition}]  enter Rest : else }}
+}}
+"""
+
+
+@pytest.mark.parametrize(
+    "condition", ["old > 1s && old < 5s", "1s < old && 5s > old", "old >= 5s && old <= 5s", "old == 5s"]
+)
+def test_a_message_is_of_each_age_that_conditions_tell_apart(prove, condition: str) -> None:  # type: ignore[no-untyped-def]
+    (found,) = prove(AGED.format(condition=condition), "dead states", "--json").json["results"]
+    assert (found["verdict"], found["reason"]) == ("PROVED", "")
+
+
+def test_no_message_is_of_two_ages(prove) -> None:  # type: ignore[no-untyped-def]
+    text = AGED.format(condition="old < 1s && old >= 1s")
+    (found,) = prove(text, "dead states", "--json").json["results"]
+    assert found["verdict"] == "REFUTED"

@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import replace
 from functools import partial
 
+from aseme_dsl.amola.expression import TURNED
 from aseme_dsl.proofs.explore.surroundings import NOW
 from aseme_dsl.proofs.timed.stamp import standing
 from aseme_dsl.records import dataclass
@@ -22,7 +23,8 @@ from aseme_dsl.runtime.chart.inputs import Identity, Sample
 from aseme_dsl.runtime.chart.plan import Plan, terms_in
 from aseme_dsl.runtime.message.as_json import StandIn
 
-_ORDER = ("==", "!=", "<", "<=", ">", ">=")
+_FROM = {"<": (0,), ">=": (0,), "<=": (1,), ">": (1,), "==": (0, 1), "!=": (0, 1)}
+"""From which ages on a comparison of an age may have another result: so much (ns) after the constant."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -152,16 +154,18 @@ def _times(board: Board) -> dict[str, int]:
 
 
 def thresholds_of(plan: Plan) -> tuple[dict[str, tuple[int, ...]], bool]:
-    """The ages (ns) with which messages are compared, by channel, and whether ages serve for nothing else."""
+    """The ages (ns) from which on conditions about messages may have other results, by channel, and whether
+    ages serve for nothing else."""
     found: dict[str, set[int]] = {}
     whole = True
     lines = (part for item in plan.transitions for part in (item.condition, *item.actions))
     for term in terms_in((*lines, *(argument for state in plan.states for argument in state.arguments))):
         match term:
-            case (word, ("age", ("member", _, channel, *_)), ("const", int(age))) if word in _ORDER:
-                found.setdefault(str(channel), set()).add(age)
-            case (word, ("const", int(age)), ("age", ("member", _, channel, *_))) if word in _ORDER:
-                found.setdefault(str(channel), set()).add(age)
+            case (str() as word, ("age", ("member", _, channel, *_)), ("const", int(age))) if word in _FROM:
+                found.setdefault(str(channel), set()).update(age + more for more in _FROM[word])
+            case (str() as word, ("const", int(age)), ("age", ("member", _, channel, *_))) if word in _FROM:
+                turned = _FROM[TURNED.get(word, word)]
+                found.setdefault(str(channel), set()).update(age + more for more in turned)
             case (_, *parts) if any(isinstance(part, tuple) and part[:1] == ("age",) for part in parts):
                 whole = False
     return {channel: tuple(sorted(ages)) for channel, ages in found.items()}, whole
@@ -197,8 +201,7 @@ def _messages(
 
 def next_age(age: int, ages: tuple[int, ...]) -> int | None:
     """The next age at which conditions about a message may be otherwise; None if there is none."""
-    older = next((limit for limit in ages if age < limit), None)
-    return ages[-1] + 1 if older is None and ages and age == ages[-1] else older
+    return next((limit for limit in ages if age < limit), None)
 
 
 def _newest(board: Board, channel: str) -> dict[str, Sample]:

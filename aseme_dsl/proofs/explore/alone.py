@@ -91,7 +91,7 @@ def measured(
 
 def _classes(ages: tuple[int, ...], least: int, most: int | None) -> Iterator[_Age]:
     """The ranges between ages within which conditions are the same, as far as messages may have them."""
-    limits = (0, *ages, *((ages[-1] + 1,) if ages else ()))
+    limits = (0, *ages)
     for place, begin in enumerate(limits):
         end = limits[place + 1] - 1 if place + 1 < len(limits) else None
         if (most is None or begin <= most) and (end is None or end >= least):

@@ -41,15 +41,14 @@ class _Age:
 
 
 def come(item: Underway, ages: tuple[int, ...], choices: Choices) -> Came:
-    """A message comes, to a reader that asks whether it has these ages."""
+    """A message comes, to a reader for which it is another one from each of these ages on."""
     sample = sample_of(item)
     if not ages or sample is None or not isinstance(item.give, partial):
         return Came(item.give)
-    limits = (*ages, ages[-1] + 1)
-    answers = (None, *map(_Age, limits))
+    answers = (None, *map(_Age, ages))
     chosen = choices.of(("age", item.what, item.identity), answers, "it is {} old when it comes")
     age = 0 if chosen is None else chosen.age
-    until = next((limit - 1 for limit in limits if limit > age), None)
+    until = next((limit - 1 for limit in ages if limit > age), None)
     give = partial(item.give.func, item.give.args[0], replace(sample, time=standing(sample.time, NOW - age)))
     return Came(give, sample.time, age, until)
 
