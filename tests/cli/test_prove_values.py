@@ -235,3 +235,35 @@ srm robot {
 
 def test_an_action_that_is_not_done_leaves_what_was_there(prove) -> None:  # type: ignore[no-untyped-def]
     assert verdicts(prove(COUNTER, "dead states", "--json")) == {"dead states": "PROVED"}
+
+
+GIVEN = """\
+system Talks
+import math
+message Word { double n }
+aip talk {
+  participant asking {
+    var whole : int = 0
+    process = Ask . Wait . [Work] . Learn
+  }
+  participant asked {
+    process = Look . Tell
+  }
+  control asking {
+    enter Wait   : / send request Word { n = 1.0 } to asked
+    enter [Work] : inform Word w from asked / whole = floor(w.n)
+    enter Work   : [whole > 3]
+    skip Work    : else
+  }
+  control asked {
+    enter Look : request Word from asking
+    leave Tell : / send inform Word to asking
+  }
+}
+"""
+"""What a message says comes to a variable through a function of the library."""
+
+
+def test_what_a_function_of_the_library_is_given_is_tried(prove) -> None:  # type: ignore[no-untyped-def]
+    found = verdicts(prove(GIVEN, "dead states", "failures", "--json"))
+    assert found == {"dead states": "UNDECIDED", "failures": "UNDECIDED"}

@@ -371,14 +371,13 @@ def among_others(
 def _of_all_numbers(
     searched: _Searching, scope: Scope, others: frozenset[str], limits: Limits
 ) -> Judge | None:
-    """A search of one agent, in which numbers may be any if those that are tried do not stand for all."""
-    judge = searched(scope, None, limits, others=others)
+    """A search of one agent, in which numbers may be any; if the agent asks more of one than how it compares,
+    one that tries a few, where these stand for all."""
     try:
-        if judge is not None and judge.is_of_few:
-            return searched(scope, None, limits, others=others, numbers=None)
+        return searched(scope, None, limits, others=others, numbers=None)
     except Unanswerable:
-        return None
-    return judge
+        judge = searched(scope, None, limits, others=others)
+        return None if judge is None or judge.is_of_few else judge
 
 
 def _together(parts: Sequence[Result], reached: Sequence[Reached], scope: Scope) -> Iterator[Result]:

@@ -198,6 +198,7 @@ class Explored:
             is_few=True,
             conditions=conditions,
             numbers=numbers,
+            is_free=bool(others) or numbers is None,
         )
         self._outcomes = Outcomes(self.choices)
         self.order = Order(self.choices)
@@ -303,7 +304,9 @@ class Explored:
         self.bus.join(agent)
         self.conversations.join(agent)
         agent.kinds = loaded.messages
-        chart.stand_in({item[0]: self._acting.function(name, item) for item in chart.PLAN.functions})
+        chart.stand_in(
+            {item[0]: self._acting.function(chart.PLAN.name, name, item) for item in chart.PLAN.functions}
+        )
         agent.requests.prepared = Free(self._acting, name)
         return agent
 

@@ -7,13 +7,14 @@ for that can never be taken again makes no difference, either, nor does a variab
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
 from enum import Enum, auto
 from functools import cached_property
 from itertools import accumulate
 
 from aseme_dsl.proofs.explore.deciding.ahead import ahead
+from aseme_dsl.proofs.explore.deciding.lists import Lists
 from aseme_dsl.proofs.explore.reducing.faint import SCALARS, faint_in, is_there
 from aseme_dsl.proofs.explore.reducing.never import Never
 from aseme_dsl.records import dataclass
@@ -54,6 +55,7 @@ class Relevant:
             item.name for item in plan.variables if item.type in SCALARS and item.bounds is None
         )
         """The variables that always hold something, and can hold any value of their type."""
+        self._is_first = Lists(plan).is_first
 
     def forget(self, chart: Chart, unknown: object) -> None:
         """Give what is not relevant values that are the same everywhere; `unknown` for variables."""
@@ -201,7 +203,9 @@ class Relevant:
                 found = _names([term for _, term in self._plan.by_label[place].arguments])
             else:
                 item = self._plan.transitions[place]
-                found = _joined([_names([item.condition]), *_asked_by(item.actions, self._there)])
+                found = _joined(
+                    [_names([item.condition]), *_asked_by(item.actions, self._there, self._is_first)]
+                )
             self._asks[place] = found
         return found
 
@@ -240,14 +244,18 @@ def _joined(some: Iterable[_Names]) -> _Names:
     return _Names(frozenset(variables), frozenset(timers), counts)
 
 
-def _asked_by(actions: Sequence[tuple[object, ...]], there: frozenset[str]) -> Iterator[_Names]:
+def _asked_by(
+    actions: Sequence[tuple[object, ...]], there: frozenset[str], is_first: Callable[[object], bool]
+) -> Iterator[_Names]:
     """What actions read that they have surely not written before; `there` are the variables that always hold
-    something."""
+    something. A value that `is_first` of a list of agents is written in any case."""
     written: set[str] = set()
     for action in actions:
         found = _names([_parts(action)])
         yield replace(found, variables=found.variables - written)
-        if action[0] == "assign" and action[1] in there and is_there(action[2], there):
+        if action[0] == "assign" and (
+            is_first(action[2]) or (action[1] in there and is_there(action[2], there))
+        ):
             written.add(str(action[1]))
 
 

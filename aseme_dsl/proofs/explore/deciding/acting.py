@@ -9,6 +9,7 @@ from typing import Protocol, cast
 
 from aseme_dsl.proofs.explore.deciding.choosing import Choices
 from aseme_dsl.proofs.explore.deciding.later import Contents, content_of
+from aseme_dsl.proofs.explore.deciding.lists import placed
 from aseme_dsl.proofs.explore.deciding.order import AnyNumber, Order, Some, Unanswerable
 from aseme_dsl.proofs.explore.deciding.outcomes import Outcomes
 from aseme_dsl.proofs.explore.deciding.staging import OPEN, assigned, by_lines, receivers, watched
@@ -20,6 +21,7 @@ from aseme_dsl.runtime.agent.prepared import Prepared
 from aseme_dsl.runtime.chart import inputs
 from aseme_dsl.runtime.chart.functions import find_function, is_of_library
 from aseme_dsl.runtime.chart.plan import Plan, is_in
+from aseme_dsl.runtime.library.agents import how_many, without
 
 DRAWN = (0.0, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 0.9999)
 """What stands for random numbers."""
@@ -225,7 +227,7 @@ class Acting:
         text = f"{agent} has prepared {{}}"
         return self._order.made(self._choices.of(("content", agent, message), contents, text))
 
-    def function(self, agent: str, function: Function) -> Called:
+    def function(self, role: str, agent: str, function: Function) -> Called:
         """What is called instead of a function of the document.
 
         Those of the library do what they do, but of messages whose members are not decided.
@@ -233,6 +235,8 @@ class Acting:
         if not is_of_library(function[1]):
             return partial(self._answer, agent, function)
         known = find_function(function[1])
+        if function[0] in self._values.free.get(role, ()):
+            return partial(self._placed, agent)
 
         def call(*arguments: object) -> object:
             if any(content_of(item) is not None for item in arguments):
@@ -242,6 +246,13 @@ class Acting:
             return known(*arguments)
 
         return call
+
+    def _placed(self, agent: str, listed: str, who: str, number: float) -> str:
+        """A list of agents with one more, which may get any place: what it is ranked by may be any number."""
+        rest = how_many(without(listed, who))
+        text = f"{who} gets place {{}} of a list"
+        place = self._choices.of(("place", agent, self._anew()), range(1, rest + 2), text)
+        return placed(listed, who, place - 1)
 
     def _answer(self, agent: str, function: Function, *arguments: object) -> object:
         """What a function of the document gives: anything, and the same for the same."""

@@ -16,6 +16,7 @@ from types import NoneType, UnionType
 from typing import Union, cast, get_args, get_origin
 
 from aseme_dsl.amola.expression import COMPARE, TURNED
+from aseme_dsl.proofs.explore.deciding.lists import Lists
 from aseme_dsl.proofs.explore.deciding.order import REAL, WHOLE, Some
 from aseme_dsl.proofs.explore.deciding.staging import by_lines_of
 from aseme_dsl.records import dataclass
@@ -77,11 +78,12 @@ class Values:
         is_few: bool = False,
         conditions: Sequence[Condition] = (),
         numbers: Sequence[float] | None = (),
+        is_free: bool = False,
     ) -> None:
         """`types` are the classes of messages and enums by name. What may stand at the places in `fixed` is
         known. `is_few`: as few values as possible are tried. Others than the plans ask for `conditions`.
         Where a few numbers do not stand for all, these `numbers` are tried, too; None: there is one that may
-        be any."""
+        be any. `is_free`: what messages say to rank agents is not tried if nothing else asks for it."""
         self._numbers = numbers
         self.fixed: Mapping[Place, frozenset[object]] = {} if fixed is None else fixed
         self._is_few = is_few
@@ -98,11 +100,18 @@ class Values:
         """What the program computes with, so that a few values do not stand for all."""
         self._by_lines: set[str] = set()
         """The types of messages that lines of the document fill, publish, send or receive."""
+        self.free: dict[str, frozenset[str]] = {}
+        """The functions, by plans, that give an agent any place in a list."""
         for plan in plans:
-            reader = _Reader(self, plan)
+            lists = Lists(plan)
+            reader = _Reader(self, plan, tuple(item.term for item in lists.ranked()) if is_free else ())
             reader.learn()
             for term, taken in conditions:
                 reader.read(term, taken)
+            if is_free:
+                self.free[plan.name] = lists.free(self.is_read, self._is_given)
+                if not self.free[plan.name]:
+                    _Reader(self, plan).learn()
             self._by_lines |= {channel.rpartition(".")[2] for channel in by_lines_of(plan)}
             self._by_lines |= {
                 message for info in plan.branches for _, message in (*info.sends, *info.receives)
@@ -230,6 +239,17 @@ class Values:
         known = self._classes.get(self._root(place))
         return known is not None and any((sign, value) in known.signs for sign in ("==", "!="))
 
+    def _is_given(self, place: Place) -> bool:
+        """Whether lines have to do with what stands in a place: they give it, or hand it on."""
+        root = self._root(place)
+        known = self._classes.get(root, _Class())
+        return (
+            bool(known.constants)
+            or place in self.fixed
+            or root != place
+            or any(other != place and self._root(other) == root for other in self._parents)
+        )
+
     def is_read(self, place: Place) -> bool:
         """Whether anything depends on what stands there."""
         known = self._classes.get(self._root(place))
@@ -291,6 +311,8 @@ class _Reader:
 
     values: Values
     plan: Plan
+    ranked: Collection[object] = ()
+    """Calls whose last argument is not read."""
 
     @property
     def _library(self) -> frozenset[str]:
@@ -335,6 +357,7 @@ class _Reader:
         source = self._place(value, taken)
         if source is not None:
             self._join(place, source)
+            self._call(value, taken)
             return
         if isinstance(value, tuple) and value[:1] == ("const",):
             self.values.use(place).constants.add(value[1])
@@ -370,17 +393,25 @@ class _Reader:
             known = self.values.use(place)
             known.is_read = True
             known.is_computed |= not plainly
-            if term[0] != "call":
-                return
+            self._call(term, taken)
+            return
         word, *parts = term
-        if word == "call" and parts[0] in self._library:
-            for part in parts[1:]:
-                self._computes(part, taken)
         if word in _ORDER and len(parts) == 2:
             self._compare(parts[0], parts[1], taken, word)
             return
         for part in parts:
             self.read(part, taken, word in _PLAIN)
+
+    def _call(self, term: object, taken: str) -> None:
+        """What a function is given is read, if a value comes from one."""
+        match term:
+            case ("call", name, *given):
+                for part in given[:-1] if term in self.ranked else given:
+                    if name in self._library:
+                        self._computes(part, taken)
+                    self.read(part, taken)
+            case _:
+                pass
 
     def _computes(self, term: object, taken: str) -> None:
         """A function of the library, which does what it does in a run, is given a value."""
