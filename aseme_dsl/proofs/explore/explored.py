@@ -42,6 +42,7 @@ from aseme_dsl.proofs.explore.on_the_way import Came, come, letter_of, sample_of
 from aseme_dsl.proofs.explore.reducing.alike import Alike
 from aseme_dsl.proofs.explore.reducing.spent import Spent
 from aseme_dsl.proofs.explore.reducing.steady import Steady
+from aseme_dsl.proofs.explore.reducing.symmetry import Symmetry, groups_of
 from aseme_dsl.proofs.explore.relevant import Relevant
 from aseme_dsl.proofs.explore.surroundings import NOW, Still, Underway, Ways
 from aseme_dsl.proofs.explore.team_layout import layout_of
@@ -55,6 +56,8 @@ from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.inputs import LOST, AgentMessage, Sample
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.conversation.conversation import Conversations
+from aseme_dsl.runtime.conversation.directory import Entry
+from aseme_dsl.runtime.conversation.participation import Desk
 from aseme_dsl.runtime.message.acl import NOT_UNDERSTOOD, AclMessage
 from aseme_dsl.runtime.time.clock import shown
 from aseme_dsl.runtime.trace.trace import Listener, Trace
@@ -295,6 +298,14 @@ class Explored:
             protocols,
             self.later.said,
         )
+        self._symmetry: Symmetry | None = None
+        if self.others is not None and not (kept or told or conditions or further):
+            (agent,) = self.agents
+            groups = groups_of(agent, self.others.agents, loaded.messages, has[agent.name])
+            self.memory.watch(groups, (Desk, Entry))
+            self._symmetry = Symmetry(agent, groups, self.values, self.memory.mentions) if groups else None
+        if self.others is not None and self._symmetry is not None:
+            self.others.differ = self._symmetry.others
 
     def _agent(self, name: str, kind: type[Chart], loaded: Loaded) -> Agent:
         chart = kind(name)
@@ -460,7 +471,17 @@ class Explored:
         if self.later.keep({number for section in found for name, number in section.names if not name}):
             self.memory.touch(-1)
             found = self.memory.picture()
+        if self._symmetry is not None and self._symmetry.settle(self._fixed(found)):
+            self.memory.touch(0)
+            found = self.memory.picture()
         return found
+
+    def _fixed(self, picture: Picture) -> frozenset[str]:
+        """The names of agents that do not change places, as they stand elsewhere than in a chart."""
+        assert self.others is not None
+        texts = (value for value in self.later.decided.values.values() if isinstance(value, str))
+        decided = {name for text in texts for name in self.memory.mentions(text)}
+        return self.memory.mentioned(picture) | decided | self.others.busy
 
     def take_back(self, picture: Picture) -> None:
         self.memory.take_back(picture)
@@ -544,6 +565,8 @@ class Explored:
         self._outcomes.begin(is_quiet=move.is_idle)
         if self.others is not None:
             self.others.begin()
+        if self._symmetry is not None:
+            self._symmetry.begin(self._fixed(self.memory.picture()))
         self.coming.begin()
         self._is_moving = True
         try:

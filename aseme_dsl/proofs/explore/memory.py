@@ -149,6 +149,8 @@ Picture = tuple[Section, ...]
 """What all objects of a team hold, by sections."""
 
 _MISSING = object()
+_NAME = "@"
+"""Stands before a name that is looked for, among those that count up."""
 _NOTHING = marshal.dumps((), 2)
 """The shape of what holds nothing."""
 _CHANGING = frozenset((_Kind.LIST, _Kind.DICT, _Kind.SET))
@@ -186,6 +188,38 @@ class Memory:
         """The classes whose objects have nothing in them that may change."""
         self._texts: dict[str, tuple[str, int] | None] = {}
         """Whether texts are names that count up, for those that were seen."""
+        self._groups: Sequence[Sequence[str]] = ()
+        """The names that are looked for outside of charts."""
+        self._same: tuple[type, ...] = ()
+        self._mentions: dict[str, tuple[str, ...]] = {}
+        """Which of these names are in texts, for those that were seen."""
+
+    # ---- names -------------------------------------------------------------------------------
+
+    def watch(self, groups: Sequence[Sequence[str]], same: tuple[type, ...]) -> None:
+        """Look for these names outside of charts. Where a dictionary has all names of a group, with objects
+        of the `same` classes, it says nothing of them."""
+        self._groups, self._same = groups, same
+
+    def mentioned(self, picture: Picture) -> frozenset[str]:
+        """The names that stand outside of charts."""
+        return frozenset(name[1:] for section in picture for name, _ in section.names if name[:1] == _NAME)
+
+    def mentions(self, text: str) -> tuple[str, ...]:
+        """The names that stand in a text, alone or within more."""
+        if not self._groups:
+            return ()
+        if text not in self._mentions:
+            self._mentions[text] = tuple(name for some in self._groups for name in some if name in text)
+        return self._mentions[text]
+
+    def is_of_all(self, name: object, content: Mapping[object, object]) -> bool:
+        """Whether a dictionary has the same for a name and for all others of its group."""
+        return any(
+            name in some
+            and all(other in content and isinstance(content[other], self._same) for other in some)
+            for some in self._groups
+        )
 
     # ---- pictures ----------------------------------------------------------------------------
 
@@ -571,6 +605,8 @@ class _Keying:
         """The atoms of an object, for each of which there is a slot; None: they stand there themselves."""
         self.names: dict[tuple[str, int], int] = {}
         self.meant: dict[int, tuple[int, int]] = {}
+        self._is_own = False
+        """Whether the values of a chart are looked at."""
 
     def shape(self, objects: Iterable[_Held]) -> bytes:
         # What has no atoms is what it was.
@@ -636,7 +672,10 @@ class _Keying:
             case _Kind.DICT:
                 return tuple(
                     [
-                        (value(name), part if type(part) in _SIMPLE else value(part))
+                        (
+                            name if self._memory.is_of_all(name, content) else value(name),
+                            part if type(part) in _SIMPLE else value(part),
+                        )
                         for name, part in _sorted(content)
                     ]
                 )
@@ -665,7 +704,9 @@ class _Keying:
     def _chart(self, item: Any, saved: Saved) -> object:
         value = self._value
         kept = itertools.compress(saved.values, _not_tokens(type(item).places))
+        self._is_own = True
         values = [part if type(part) in _SIMPLE else value(part) for part in kept]
+        self._is_own = False
         boards = [None if board is None else self._board(whole(board)) for board in saved.boards]
         return tuple(values), tuple(boards), None if saved.seldom is NOTHING else value(tuple(saved.seldom))
 
@@ -682,6 +723,7 @@ class _Keying:
             return self._set(value) if value else ()
         if kind is tuple:
             if len(value) == 2 and type(value[1]) is int and self._is_sender(value[0]):
+                self._mention(value[0])
                 return value[0], self._renamed(f"{value[0]}-", value[1])  # an identity
             return tuple([self._value(part) for part in value])
         place = self._place(id(value))
@@ -724,8 +766,17 @@ class _Keying:
         return type(value).__name__
 
     def _text(self, text: str) -> object:
+        self._mention(text)
         found = self._memory.numbered(text)
         return text if found is None else (found[0], self._renamed(*found))
+
+    def _mention(self, text: str) -> None:
+        """Note the names in a text that are looked for."""
+        for name in () if self._is_own else self._memory.mentions(text):
+            if self._atoms is not None:
+                self._atoms.append((f"{_NAME}{name}", 0))
+            else:
+                self.names.setdefault((f"{_NAME}{name}", 0), len(self.names))
 
     def _renamed(self, name: str, number: int) -> object:
         if self._atoms is not None:

@@ -12,7 +12,7 @@ come together, one is taken; then the agent may pause, and looks again before it
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import cast
 
@@ -83,11 +83,24 @@ class Others:
         """Which decisions of the move say how many have answered."""
         self.paused: list[bool] = [False]
         """Whether the agent has paused in the midst of a step."""
+        self.differ: Callable[[Sequence[str], Collection[str]], Sequence[str]] = lambda names, came: names
+        """Those of some agents with which a move is not the same, if others have `come` in it."""
         self.is_bounded = False
         """Whether one agent may have said the same twice at one moment, which is not looked at."""
 
     agent: Agent
     """The only one that is explored."""
+
+    @property
+    def agents(self) -> Sequence[Agent]:
+        """The agents beside the one that is explored."""
+        return self._others
+
+    @property
+    def busy(self) -> frozenset[str]:
+        """Those of whom more is known than that they are there."""
+        desks = ((other.name, self._members.desks[other.name]) for other in self._others)
+        return frozenset(name for name, desk in desks if desk.branches or desk.free or desk.invitations.size)
 
     def meet(self, agent: Agent, others: Sequence[Agent]) -> None:
         """These are others to the agent that is explored."""
@@ -259,6 +272,7 @@ class Others:
             self._again.append(taken)
         if not left:
             return ()
+        left = tuple(self.differ(left, {name for name, _ in self._came}))
         self._asked += 1
         number = self._choices.place
         performative, message, participant = kind

@@ -182,6 +182,18 @@ class Values:
             if self.is_read((message, path))
         }
 
+    def tries(self, texts: Collection[str]) -> bool:
+        """Whether one of these texts is tried for a member of a message, or may be."""
+        tried = [self.tried(message) for message in self._messages]
+        found = (value for item in tried if item is not None for some in item.values() for value in some)
+        return None in tried or any(isinstance(value, str) and value in texts for value in found)
+
+    def may_name(self, kind: str, place: Place) -> bool:
+        """Whether a value of a type that stands in a place may be the name of an agent, or have one in it."""
+        if kind == "string":
+            return self.is_read(place)
+        return kind == "agent" or kind in self._messages or kind.startswith("list of ")
+
     def alike(self, message: str, path: tuple[str, ...]) -> Place | None:
         """What stands for the numbers that are only asked whether they are equal to each other.
 
