@@ -260,7 +260,7 @@ class _Purse:
     @property
     def of_one(self) -> Limits:
         """A least part, for a search of one agent: it has few states, but each may have many moves."""
-        return replace(self._limits, moves=40 * self._limits.states, seconds=self._least)
+        return replace(self._limits, moves=100 * self._limits.states, seconds=self._least)
 
     def spend(self, search: Callable[P, T], *arguments: P.args, **named: P.kwargs) -> T:
         """What a search finds."""

@@ -66,6 +66,8 @@ class Others:
         self._before = 0
         """How many the present step had taken when its round began."""
         self._asked = 0
+        self._saying: dict[tuple[str, Kind], tuple[str, ...]] = {}
+        """Who may say what to a branch."""
         self._came: set[tuple[str, Kind]] = set()
         """Who has said what in the present move."""
         self._lent: set[Identity] = set()
@@ -106,6 +108,7 @@ class Others:
         """These are others to the agent that is explored."""
         self.agent = agent
         self._others = others
+        self._asks_for_reason = ("reason",) in terms_of(agent.plan)
 
     @property
     def has_come(self) -> bool:
@@ -308,23 +311,28 @@ class Others:
         conversation = self._members.of(place)
         if conversation is None:
             return
-        performative, message, participant = kind
+        key = place.info.label, kind
+        if key not in self._saying:
+            self._saying[key] = tuple(self._who_says(place.info, kind))
+        participant = kind[2]
         known = conversation.members.get(participant, ()) if _is_one(place.info, participant) else ()
-        for part, players in self._players(place.info):
-            if part != participant:
-                continue
-            for name in dict.fromkeys(
-                other.name
-                for other, info in players
-                if performative in (LOST, NOT_UNDERSTOOD) or (performative, message) in info.sends
-            ):
-                if not known or name in known:
-                    yield name
+        yield from (name for name in self._saying[key] if not known or name in known)
+
+    def _who_says(self, own: BranchInfo, kind: Kind) -> Iterable[str]:
+        """The others that may say something to a branch."""
+        performative, message, participant = kind
+        return dict.fromkeys(
+            other.name
+            for part, players in self._players(own)
+            for other, info in players
+            if part == participant
+            and (performative in (LOST, NOT_UNDERSTOOD) or (performative, message) in info.sends)
+        )
 
     def _content(self, kind: Kind, sender: str) -> object:
         performative, message, _ = kind
         if performative == LOST:
-            reasons = REASONS if ("reason",) in terms_of(self.agent.plan) else REASONS[:1]
+            reasons = REASONS if self._asks_for_reason else REASONS[:1]
             return self._choices.of(("reason", self._asked), reasons, f"{sender}: {{}}")
         question = ("said", self._asked)
         return self._contents.new(message, question, "with {}", f"{sender}: {message}")

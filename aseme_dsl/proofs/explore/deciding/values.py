@@ -182,11 +182,16 @@ class Values:
             if self.is_read((message, path))
         }
 
-    def tries(self, texts: Collection[str]) -> bool:
-        """Whether one of these texts is tried for a member of a message, or may be."""
-        tried = [self.tried(message) for message in self._messages]
-        found = (value for item in tried if item is not None for some in item.values() for value in some)
-        return None in tried or any(isinstance(value, str) and value in texts for value in found)
+    def naming(self, texts: Collection[str]) -> Iterator[tuple[str, ...] | None]:
+        """The paths of the members of messages for which one of these texts is tried; None: of any."""
+        for message in self._messages:
+            tried = self.tried(message)
+            if tried is None:
+                yield None
+                continue
+            for path, some in tried.items():
+                if any(isinstance(value, str) and value in texts for value in some):
+                    yield path
 
     def may_name(self, kind: str, place: Place) -> bool:
         """Whether a value of a type that stands in a place may be the name of an agent, or have one in it."""

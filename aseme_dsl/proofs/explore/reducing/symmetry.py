@@ -26,6 +26,8 @@ _ORDER = ("<", "<=", ">", ">=")
 _NUMBERS = ("int", "double", "duration")
 _COMPUTED = ("+", "-", "*", "/", "//", "%", "neg", "duration", "count", "invited", "answered", "age", "index")
 """Terms that are numbers."""
+_READING = (("taken",), ("member",), ("variable",), ("element",), ("contains",), ("find",), ("new",))
+"""Terms with the path of a member."""
 _LIBRARY = "aseme_dsl.runtime.library."
 _KNOWN = tuple(f"{_LIBRARY}{name}:" for name in ("agents", "math", "resources", "soccer", "time"))
 """The functions of the library that ask no more of a text than whether it is equal to another one."""
@@ -236,7 +238,10 @@ def _decides(plan: Plan, values: Values, names: Collection[str]) -> bool:
     free = undecided(plan)
     given = [(item.type, item.name.partition("@")[0]) for item in plan.variables if item.name in free]
     given += [(kind, f"{name}()") for name, target, kind, _ in plan.functions if not is_of_library(target)]
-    return any(values.may_name(kind, (name, ())) for kind, name in given) or values.tries(names)
+    looked_at = {part for term in terms_of(plan) if term[:1] in _READING for part in term}
+    return any(values.may_name(kind, (name, ())) for kind, name in given) or any(
+        path is None or path in looked_at for path in values.naming(names)
+    )
 
 
 __all__ = ["Symmetry", "groups_of"]
