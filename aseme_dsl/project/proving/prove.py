@@ -259,8 +259,9 @@ class _Purse:
 
     @property
     def of_one(self) -> Limits:
-        """A least part, for a search of one agent: it has few states, but each may have many moves."""
-        return replace(self._limits, moves=100 * self._limits.states, seconds=self._least)
+        """A least part, for a search of one agent: its states are small, but each may have many moves."""
+        states = self._limits.states
+        return replace(self._limits, states=3 * states, moves=100 * states, seconds=self._least)
 
     def spend(self, search: Callable[P, T], *arguments: P.args, **named: P.kwargs) -> T:
         """What a search finds."""
