@@ -1,6 +1,6 @@
 """Others that nothing tells apart change places: an agent among them does the same, in fewer states.
 
-A few mistakes by chance are compared in every run of the tests; many with `ALIKE_TALKS=200`.
+A few mistakes by chance are compared in the long lane; many with `ALIKE_TALKS=200`.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from aseme_dsl.source import Source
 from tests.proofs.test_others import GROUP, alone
 from tests.support.model_mutants import model_mutants
 
-TALKS = int(os.environ.get("ALIKE_TALKS", "1"))
+TALKS = int(os.environ.get("ALIKE_TALKS", "5"))
 FIRST = int(os.environ.get("ALIKE_FIRST", "1"))
 LIBRARY = "aseme_dsl.runtime.library.agents"
 MARKET = f"""\
@@ -132,6 +132,7 @@ def test_it_is_noticed_if_those_who_are_told_apart_change_places(
         compare(monkeypatch, MARKET.replace(*TOLD[name]), 2)
 
 
+@pytest.mark.long
 def test_random_mistakes_make_no_difference(monkeypatch: pytest.MonkeyPatch) -> None:
     mutants = [item.text for item in model_mutants(MARKET)]
     compared = 0

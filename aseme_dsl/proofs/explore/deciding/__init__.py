@@ -2,6 +2,7 @@
 
 - `choosing`: one answer after another
 - `values`: what is tried, by what the document does with each value
+- `lists`: texts that hold agents, and numbers in them that need not be tried
 - `later`: contents of messages that are decided when they are read
 - `arriving`: messages that are there, or not, when something looks for them
 - `staging`: the statecharts of a team that is explored
