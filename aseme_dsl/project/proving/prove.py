@@ -372,8 +372,8 @@ def among_others(
 def _of_all_numbers(
     searched: _Searching, scope: Scope, others: frozenset[str], limits: Limits
 ) -> Judge | None:
-    """A search of one agent, in which numbers may be any; if the agent asks more of one than how it compares,
-    one that tries a few, where these stand for all."""
+    """A search of one agent, in which numbers may be any. If it asks more of one than how it compares, a few
+    are tried; there is no answer if these do not stand for all."""
     try:
         return searched(scope, None, limits, others=others, numbers=None)
     except Unanswerable:

@@ -1,8 +1,8 @@
 """Lists: variables that hold agents in a text, as functions of the library write it.
 
-Such a text is empty, or has a line for each agent, with a number. Where nothing asks for the numbers but
-`ranked`, which is given a new one of each message, an agent may get any place: there is always a number
-between two others, and two equal ones allow no more than two that are not. So the numbers need not be tried.
+Such a text is empty, or has a line for each agent, with a number. It may be that nothing asks for the numbers
+but `ranked`, which is given a new one of each message. Then an agent may get any place: there is always a
+number between two others. Two equal ones allow no more than two that are not. So no numbers are tried.
 """
 
 from __future__ import annotations
@@ -121,7 +121,7 @@ class Lists:
                 return Ranked(term, item.source, variable, None)
 
     def free(self, is_read: Callable[[Place], bool], is_given: Callable[[Place], bool]) -> frozenset[str]:
-        """The function by which an agent may get any place in a list, if there is one: `is_read` says whether
+        """The function by which an agent may get any place in a list, if there is one. `is_read` says whether
         anything else asks for what stands in a place, and `is_given` whether lines have to do with it."""
         calls = self.ranked()
         numbers = (name for name, called in self._called.items() if called == "number_of")

@@ -1,9 +1,8 @@
 """Symmetry: agents that may change places, as nothing tells one from another but what each has done.
 
-Others that have one role may all do the same (see `Others`), and the agent that is explored only asks whether
-two names are equal, or where they stand in a list. Then it does the same with other names: what it does with
-names that have changed places is what it does, with these names. So one state stands for all that differ in
-the names alone. The names stand in it in an order that depends on where they occur, and on nothing else.
+Others that have one role may all do the same (see `Others`). The agent that is explored only asks whether two
+names are equal, or where they stand in a list. Then it does the same with other names. So one state stands
+for all that differ in the names alone. The names stand in it in an order that depends on where they occur.
 
 That does not hold if a line, a setting or an assumption names one of them, or asks for the order of texts.
 Nor if one of them alone is chosen for a participant: that is the first one in the team. A name that stands
@@ -143,8 +142,8 @@ class Symmetry:
                 self._alike |= {name: number for name in some if name not in there}
 
     def others(self, names: Sequence[str], came: Collection[str]) -> Sequence[str]:
-        """Of some agents, those with which a move is not the same: of those that stand nowhere yet, and have
-        not `come` in the move, the first one of each group."""
+        """Of some agents, those with which a move is not the same. Of those that stand nowhere yet, and have
+        not spoken in the move (`came`), that is the first one of each group."""
         known: set[int] = set()
         found: list[str] = []
         for name in names:
