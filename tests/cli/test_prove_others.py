@@ -119,3 +119,49 @@ property "places" {
 """
     found = prove(held, "deadlock", "--states", "60", "--json").json["results"]
     assert [item["verdict"] for item in found] == ["UNDECIDED", "PROVED"]
+
+
+PUBLISHED = """\
+system Team
+message Order { int n }
+topic team { state Order  signal Order }
+srm chief {
+  liveness { chief = Think . Give . Rest }
+  activities { Think  Give writes team.state.Order, team.signal.Order  Rest waits }
+}
+srm robot {
+  liveness { robot = ((Wait . Work)~ || (Look . Look . Look)~) . End }
+  activities { End waits }
+  control robot { enter Work : LINE }
+}
+team Team { c : chief  r[1..3] : robot }
+"""
+"""Robots that read what a chief publishes: too many states for a short search."""
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        pytest.param("after(1s)\n    enter Work : when [team.state.Order.n > 1]", id="time ends the wait"),
+        pytest.param("[team.state.Order.n > 1]\n    enter Work : else", id="it goes on in each case"),
+    ],
+)
+def test_an_agent_that_goes_on_for_all_that_is_published_is_proved(prove, line: str) -> None:  # type: ignore[no-untyped-def]
+    text = PUBLISHED.replace("LINE", line)
+    found = asked(prove, text, "deadlock")
+    assert found["verdict"] == "PROVED", found
+    assert "each agent among others that may do anything; regions that do not meet apart" in found["bounds"]
+
+
+@pytest.mark.parametrize(
+    "line",
+    [
+        pytest.param("when [team.state.Order.n > 1]", id="for a state"),
+        pytest.param("when [team.signal.Order.n > 1]", id="for a signal"),
+        pytest.param("[team.state.Order.n > 1]", id="for a state, once the activity has ended"),
+        pytest.param("when [age(team.state.Order) > 1s]", id="until others publish no more"),
+    ],
+)
+def test_one_that_waits_for_what_others_publish_stays_undecided(prove, line: str) -> None:  # type: ignore[no-untyped-def]
+    found = asked(prove, PUBLISHED.replace("LINE", line), "deadlock")
+    assert found["verdict"] == "UNDECIDED", found

@@ -206,6 +206,11 @@ class Judge:
             ):
                 yield named(item)
 
+    @property
+    def groups(self) -> int:
+        """How many groups of regions were to be explored one by one."""
+        return self._explored.groups
+
     def kept_alone(self) -> frozenset[str]:
         """The questions that the agent that was explored answers by itself: others change nothing."""
         explored, graph = self._explored, self._graph
@@ -568,7 +573,7 @@ class Judge:
             queue = self._limits.queue
             parts.append(f"at most {queue} messages ({queue // 2} of topics) on one way")
         parts += sorted(self._explored.values.bounds.values())
-        if self._explored.needed is not None:
+        if self._explored.needed is not None and self._explored.others is None:
             parts.append("only the regions that matter to it")
         few = sum(len(part._graph.parents) for part in self.parts if not part._sees_all)
         long = sum(len(part._graph.parents) for part in self.parts if part._sees_all)

@@ -69,6 +69,8 @@ ALONE = ("deadlock", "failures")
 """The questions that each agent can answer for itself."""
 EACH_ALONE = "each agent among others that may do anything"
 """What was explored to answer them."""
+APART = "regions that do not meet apart"
+"""How, if it was done for groups of regions."""
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -290,6 +292,7 @@ class _Searching(Protocol):
         numbers: Sequence[float] | None = (),
         still: frozenset[str] = frozenset(),
         others: frozenset[str] = frozenset(),
+        group: int = 0,
         before: Judge | None = None,
     ) -> Judge | None: ...
 
@@ -352,32 +355,45 @@ def among_others(
         for item in results
         if item.name in ALONE and item.verdict is Verdict.UNDECIDED and (not asked or item.name in asked)
     }
-    bounds: list[Bounds] = []
-    for agent in {kinds[name]: name for name, _ in reversed(scope.team)}.values() if left else ():
-        others = frozenset(name for name, _ in scope.team if name != agent)
-        judge = purse.spend(_of_all_numbers, searched, scope, others, purse.of_one)
+    found: list[Judge] = []
+    for judge in _each_alone(purse, searched, scope, kinds) if left else ():
         left &= frozenset() if judge is None else judge.kept_alone()
         if judge is None or not left:
             break
-        bounds.append(judge.bounds())
+        found.append(judge)
+    bounds = [judge.bounds() for judge in found]
+    how = (EACH_ALONE, APART) if any(judge.groups > 1 for judge in found) else (EACH_ALONE,)
     for item in results:
         if item.name in left:
             parts = dict.fromkeys(part for some in bounds for part in some.parts)
             states = sum(some.states or 0 for some in bounds)
-            within = Bounds(scope.agents, (*parts, EACH_ALONE), states)
+            within = Bounds(scope.agents, (*parts, *how), states)
             item = replace(item, verdict=Verdict.PROVED, bounds=within, reason="")
         yield item
 
 
+def _each_alone(
+    purse: _Purse, searched: _Searching, scope: Scope, kinds: Mapping[str, object]
+) -> Iterator[Judge | None]:
+    """The searches of one agent of each kind, by groups of its regions; None where something is left out."""
+    for agent in {kinds[name]: name for name, _ in reversed(scope.team)}.values():
+        others = frozenset(name for name, _ in scope.team if name != agent)
+        group, groups = 0, 1
+        while group < groups:
+            judge = purse.spend(_of_all_numbers, searched, scope, others, purse.of_one, group)
+            yield judge
+            group, groups = group + 1, 1 if judge is None else judge.groups
+
+
 def _of_all_numbers(
-    searched: _Searching, scope: Scope, others: frozenset[str], limits: Limits
+    searched: _Searching, scope: Scope, others: frozenset[str], limits: Limits, group: int
 ) -> Judge | None:
     """A search of one agent, in which numbers may be any. If it asks more of one than how it compares, a few
     are tried; there is no answer if these do not stand for all."""
     try:
-        return searched(scope, None, limits, others=others, numbers=None)
+        return searched(scope, None, limits, others=others, group=group, numbers=None)
     except Unanswerable:
-        judge = searched(scope, None, limits, others=others)
+        judge = searched(scope, None, limits, others=others, group=group)
         return None if judge is None or judge.is_of_few else judge
 
 
@@ -416,12 +432,13 @@ def _searched(
     numbers: Sequence[float] | None = (),
     still: frozenset[str] = frozenset(),
     others: frozenset[str] = frozenset(),
+    group: int = 0,
     before: Judge | None = None,
 ) -> Judge | None:
     """One search, with the judge of what it has found. With `about`, it is about that alone: what does not
     matter to it stands still. Then there is none if everything matters, unless `times` are measured. Nor is
     there one among `others`, if that leaves something out.
-    `numbers`, `still` and `others`: see Explored. It is one of long runs, if there were others `before`.
+    `numbers`, `still`, `others`, `group`: see Explored. It is one of long runs if there were others `before`.
     Raises Unanswerable, if numbers may be any, and the team asks more of one than how it compares."""
     eyes = Eyes()
     watch = Watched(script) if script is not None and script.expectations else None
@@ -441,6 +458,7 @@ def _searched(
         numbers=numbers,
         still=still,
         others=others,
+        group=group,
     )
     if about is not None and explored.needed is None and times is None:
         return None

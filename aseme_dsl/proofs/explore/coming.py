@@ -38,10 +38,12 @@ class Coming:
         has: Mapping[str, Mapping[str, Mapping[tuple[str, ...], object]]],
         alone: Alone | None = None,
         is_timed: bool = False,
+        of_others: frozenset[str] = frozenset(),
     ) -> None:
         """Modules publish on the channels `of_modules`. Of messages of the types `told`, something else asks
         what they say, or when they come; `is_asked` says whether anything but activities asks for those of a
-        channel. `has` says what their members hold, by agent and channel, as far as that is known."""
+        channel. `has` says what their members hold, by agent and channel, as far as that is known. Agents
+        that are not explored publish on the channels `of_others`."""
         self._agents = agents
         self._bus = bus
         self._choices = choices
@@ -56,6 +58,7 @@ class Coming:
         self._has = has
         self._alone = alone
         self._is_timed = is_timed
+        self._of_others = of_others
         self.needed: Needed | None = None
         """The regions that matter, if not all do."""
         self._may_come: dict[str, set[str]] = {}
@@ -99,6 +102,7 @@ class Coming:
             and (
                 self._alone is not None
                 or channel not in writers
+                or channel in self._of_others
                 or channel in self._of_modules
                 or rules[channel].is_from_outside
             )
@@ -111,6 +115,7 @@ class Coming:
         within: set[str] = set()
         if self._alone is None:
             within.update(channel for plan in self._plans for i in plan.activities for channel in i.writes)
+            within -= self._of_others
             within.update(*map(by_lines_of, self._plans))
         return {
             agent.name: {
@@ -146,7 +151,10 @@ class Coming:
                 yield channel
 
     def stands(self, agent: Agent, channel: str) -> bool:
-        """Whether a message that may say anything is there on a channel, as one may come now."""
+        """Whether a message that may say anything is there on a channel, as one may come now. Where others
+        publish, what the agent itself does adds nothing to that."""
+        if channel in self._of_others and channel in self.brief[agent.name]:
+            return True
         if channel not in self.standing[agent.name] or not self.may_come(agent, channel):
             return False
         found = [board.newest(channel) for board in _boards(agent, channel)]
@@ -240,6 +248,10 @@ class Coming:
         """Whether anything may come to an agent in these moves."""
         return bool(self._may_come[name])
 
+    def outside(self, name: str) -> frozenset[str]:
+        """The channels of which something may come to an agent in these moves, but none of other agents."""
+        return frozenset(self._may_come[name] - self._of_others)
+
     def begin(self) -> None:
         """A move is made now."""
         self._is_open = True
@@ -253,7 +265,9 @@ class Coming:
         if not self._is_open or channel not in self._may_come.get(name, ()):
             return
         message = channel.rpartition(".")[2]
-        if self._choices.of(("come", name, channel), (None, True), f"{name}: {message} has come"):
+        is_of_others = channel in self._of_others
+        text = f"{name}: {message} has come"
+        if self._choices.of(("come", name, channel), (None, True), text, is_of_others=is_of_others):
             agent = next(item for item in self._agents if item.name == name)
             is_own = bool(self.brief[name][channel])
             fixed = self._has[name].get(channel, {})
@@ -281,6 +295,21 @@ class Coming:
         if agent.chart.started and not (agent.over or agent.down):
             self._stand(agent)
         self._fade(agent)
+        self._unhear(agent)
+
+    def _unhear(self, agent: Agent) -> None:
+        """Forget the signals that wait where no line looks for them, but activities alone."""
+        for board in agent.chart.boards():
+            if board is not None and board.waiting():
+                gone = [name for name in board._signals if name not in board.SLOTS and self._is_plain(name)]
+                if gone:
+                    board.part()
+                    for channel in gone:
+                        del board._signals[channel]
+
+    def _is_plain(self, channel: str) -> bool:
+        """Whether nothing but lines asks for the messages of a channel, and these keep none as a whole."""
+        return channel.rpartition(".")[2] not in self._kept
 
     def _fade(self, agent: Agent) -> None:
         """Forget what messages say that are too old for anything to ask for it."""

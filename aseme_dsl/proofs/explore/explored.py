@@ -6,7 +6,7 @@ what runs.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Hashable, Iterator, Mapping, Sequence
 from dataclasses import field
 from functools import partial
 
@@ -37,7 +37,7 @@ from aseme_dsl.proofs.explore.deciding.staging import (
 )
 from aseme_dsl.proofs.explore.deciding.values import Condition, Values
 from aseme_dsl.proofs.explore.memory import Memory, Picture
-from aseme_dsl.proofs.explore.needed import Asked, needed_for
+from aseme_dsl.proofs.explore.needed import Asked, groups_in, needed_for
 from aseme_dsl.proofs.explore.on_the_way import Came, come, letter_of, sample_of
 from aseme_dsl.proofs.explore.reducing.alike import Alike
 from aseme_dsl.proofs.explore.reducing.spent import Spent
@@ -146,6 +146,7 @@ class Explored:
         numbers: Sequence[float] | None = (),
         still: frozenset[str] = frozenset(),
         others: frozenset[str] = frozenset(),
+        group: int = 0,
     ) -> None:
         """`listeners` are given the lines of a trace. `further` objects belong to the state of the team;
         `layout` has the parts of these, and what of those is not keyed (see `Layout`). They ask for the
@@ -155,7 +156,8 @@ class Explored:
         there is one agent, and it says what comes to that. Where a few numbers do not stand for all, these
         `numbers` are tried, too; None: there is one that may be any, and nothing can be retraced.
         Agents that stand `still` begin, and make no move after that. It is not looked at what `others` do:
-        anything may come of them (see `Others`)."""
+        anything may come of them (see `Others`). Then groups of regions that do not depend on each other are
+        explored one by one; this is the one of this number."""
         self.choices = Choices()
         self.still = still
         self._assumed = assumed
@@ -244,10 +246,13 @@ class Explored:
         agents = [self._agent(name, charts[name], loaded) for name in names]
         self.agents = tuple(agent for agent in agents if agent.name not in others)
         driver.agents = self.agents
+        self._of_others = frozenset[str]()
+        """The channels on which something of others may come."""
         if self.others is not None:
             self.ways.deaf = others
             (agent,) = self.agents
             self.others.meet(agent, [other for other in agents if other.name in others])
+            self._of_others = self.others.channels(self.bus)
         self.coming = coming = Coming(
             self.agents,
             self.bus,
@@ -260,13 +265,23 @@ class Explored:
             has,
             alone,
             with_times,
+            self._of_others,
         )
+        self._outcomes.is_of_others = self._decided_by_others
+        self.order.is_of_others = bool(self._of_others)
         self._steady = Steady(plans, coming, acting, with_times or alone is not None)
         self._events = {plan.name: events(plan) for plan in plans}
         self._ages = {plan.name: thresholds_of(plan)[0] for plan in plans}
         own = {agent.role: coming.own(agent) for agent in self.agents}
         if asked is not None:
             coming.needed = needed_for(plans, asked, assumed.fails, coming.reaches, own)
+        self.groups = 1
+        """How many groups of regions there are."""
+        if self.others is not None:
+            (plan,) = (agent.plan for agent in self.agents)
+            needed = partial(needed_for, [plan], fails=assumed.fails, reaches=self._reaches_itself, own=own)
+            if groups := groups_in(plan, needed):
+                self.groups, coming.needed = len(groups), groups[group]
         self.needed = coming.needed
         """The regions that matter, if not all do."""
         self.ways.taken = self._is_taken
@@ -301,9 +316,9 @@ class Explored:
         self._symmetry: Symmetry | None = None
         if self.others is not None and not (kept or told or conditions or further):
             (agent,) = self.agents
-            groups = groups_of(agent, self.others.agents, loaded.messages, has[agent.name])
-            self.memory.watch(groups, (Desk, Entry))
-            self._symmetry = Symmetry(agent, groups, self.values, self.memory.mentions) if groups else None
+            alike = groups_of(agent, self.others.agents, loaded.messages, has[agent.name])
+            self.memory.watch(alike, (Desk, Entry))
+            self._symmetry = Symmetry(agent, alike, self.values, self.memory.mentions) if alike else None
         if self.others is not None and self._symmetry is not None:
             self.others.differ = self._symmetry.others
 
@@ -337,12 +352,40 @@ class Explored:
                 return f"nothing is tried for the list {lists[0]}, which activities may write"
             if asks_for_history(agent.plan):
                 return f"{agent.role} asks for the history of a channel"
-        if self.others is not None and (why := self.others.left_out(self.bus)):
+        if self.others is not None and (why := self.others.left_out):
             return why
         for role, module in self._modules:
             if module.variables:
                 return f"the module {module.name} of {role} writes variables"
         return ""
+
+    def _reaches_itself(self, writer: str, reader: str, channel: str) -> bool:
+        """Whether it matters to a role what it publishes itself: not where others publish, too."""
+        return channel not in self._of_others and self.coming.reaches(writer, reader, channel)
+
+    def _decided_by_others(self, question: Hashable) -> bool:
+        """Whether what others have published decides a question, or may be given to a function that does."""
+        match question:
+            case ("member", _, str() as message, _):
+                return any(channel.rpartition(".")[2] == message for channel in self._of_others)
+            case ("function", *_):
+                return bool(self._of_others)
+            case _:
+                return False
+
+    def is_own(self, kind: tuple[str, ...]) -> bool:
+        """Whether an agent makes a move of this kind by itself, and nothing of others has come in it."""
+        if self.others is None:
+            return True
+        match kind:
+            case ("other", *_):
+                return False
+            case ("input", agent):
+                return bool(self.coming.outside(agent))
+            case ("input", _, channel) | ("time", _, "message" | "signal", channel):
+                return channel not in self._of_others
+            case _:
+                return not self.others.has_come
 
     def settle(self) -> None:
         """Get the agents ready for their first step."""

@@ -18,11 +18,13 @@ Part = tuple[str, str]
 
 @dataclass(frozen=True, slots=True)
 class Asked:
-    """What a question is about: states by role, channels, and variables and timers by their names."""
+    """What a question is about: states by role, with what is inside; channels; variables and timers by their
+    names; and regions by role, without what is inside."""
 
     states: Mapping[str, frozenset[str]]
     channels: frozenset[str] = frozenset()
     names: frozenset[str] = frozenset()
+    regions: Mapping[str, frozenset[str]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,6 +55,8 @@ def needed_for(
     search = _Search({plan.name: plan for plan in plans}, reaches, own)
     for plan in plans:
         search.states(plan, asked.states.get(plan.name, ()))
+        for label in asked.regions.get(plan.name, ()):
+            search.add(plan, label)
         endangered = {info.name for info in plan.activities if info.within is not None}.union(fails)
         search.states(plan, (state.label for state in plan.states if state.activity in endangered))
     for name in asked.names:
@@ -75,6 +79,20 @@ def needed_for(
     }
     reads = {name: frozenset(found) for name, found in search.reads.items()}
     return Needed(regions, states, reads)
+
+
+def groups_in(plan: Plan, needed: Callable[[Asked], Needed | None]) -> tuple[Needed, ...]:
+    """What matters to each region of a role, where that is less than all; what is part of another is not
+    there. `needed` says what matters to a question."""
+    found: list[Needed] = []
+    for region in plan.regions:
+        group = needed(Asked({}, regions={plan.name: frozenset((region.label,))}))
+        if group is None:
+            return ()
+        found.append(group)
+    parts = [item.regions[plan.name] for item in found]
+    largest = {part: item for part, item in zip(parts, found, strict=True)}
+    return tuple(item for part, item in largest.items() if not any(part < other for other in parts))
 
 
 def region_of(plan: Plan, label: str) -> str:
@@ -105,7 +123,8 @@ class _Search:
             role, label = self._todo.pop()
             self._part(self.plans[role], label)
 
-    def _add(self, plan: Plan, region: str) -> None:
+    def add(self, plan: Plan, region: str) -> None:
+        """A region matters."""
         part = plan.name, region
         if part not in self.parts:
             self.parts.add(part)
@@ -116,10 +135,10 @@ class _Search:
     def states(self, plan: Plan, labels: Iterable[str]) -> None:
         """These states, and what is inside them."""
         for label in labels:
-            self._add(plan, region_of(plan, label))
+            self.add(plan, region_of(plan, label))
             for region in plan.regions:
                 if is_in(region.label, label):
-                    self._add(plan, region.label)
+                    self.add(plan, region.label)
 
     def named(self, name: str) -> None:
         """A variable or timer of any role."""
@@ -129,7 +148,7 @@ class _Search:
                     action[0] in ("assign", "start_timer") and str(action[1]).partition("@")[0] == name
                     for action in item.actions
                 ):
-                    self._add(plan, region_of(plan, item.source))
+                    self.add(plan, region_of(plan, item.source))
             scopes = [
                 item.scope for item in plan.variables if item.name.partition("@")[0] == name and item.scope
             ]
@@ -138,7 +157,7 @@ class _Search:
                 if state.activity is not None and (
                     state.activity in writers or any(is_in(state.label, scope) for scope in scopes)
                 ):
-                    self._add(plan, region_of(plan, state.label))
+                    self.add(plan, region_of(plan, state.label))
 
     def channel(self, channel: str, reader: str | None = None) -> None:
         """What is published on a channel, as far as it comes to the reader, a role."""
@@ -153,17 +172,17 @@ class _Search:
                     around = plan.by_label[region].parent
                     if is_own and around is not None and is_steady(plan, region):
                         region = region_of(plan, around)
-                    self._add(plan, region)
+                    self.add(plan, region)
             for item in plan.transitions:
                 if any(published(action) == channel for action in item.actions):
-                    self._add(plan, region_of(plan, item.source))
+                    self.add(plan, region_of(plan, item.source))
 
     # ---- what a region depends on --------------------------------------------------------------
 
     def _part(self, plan: Plan, region: str) -> None:
         around = plan.by_label[region].parent
         if around is not None:
-            self._add(plan, region_of(plan, around))
+            self.add(plan, region_of(plan, around))
         for item in plan.transitions:
             if region_of(plan, item.source) == region:
                 self._terms(plan, (item.condition, *item.actions))
@@ -171,7 +190,7 @@ class _Search:
                 if plan.by_label[item.source].type == "AND" and not item.first:
                     self._completion(plan, item.source)
             elif region in (region_of(plan, target) for target in item.targets):
-                self._add(plan, region_of(plan, item.source))
+                self.add(plan, region_of(plan, item.source))
         for state in plan.states:
             if state.arguments and region_of(plan, state.label) == region:
                 self._terms(plan, [term for _, term in state.arguments])
@@ -190,14 +209,14 @@ class _Search:
                     or not signals.isdisjoint(_signals(other.condition))
                 )
             ):
-                self._add(plan, region_of(plan, other.source))
+                self.add(plan, region_of(plan, other.source))
 
     def _completion(self, plan: Plan, label: str) -> None:
         """The regions of an AND that can come to their end: it is complete when all have."""
         inside = plan.children(label)
         if all(can_end(plan, child.label) for child in inside):
             for child in inside:
-                self._add(plan, child.label)
+                self.add(plan, child.label)
 
     def _terms(self, plan: Plan, terms: Iterable[object]) -> None:
         for term in terms_in(terms):
@@ -282,4 +301,4 @@ def _reaches_end(plan: Plan, label: str) -> bool:
     return False
 
 
-__all__ = ["Asked", "Needed", "can_end", "is_steady", "needed_for", "region_of"]
+__all__ = ["Asked", "Needed", "can_end", "groups_in", "is_steady", "needed_for", "region_of"]

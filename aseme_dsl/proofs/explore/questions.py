@@ -110,7 +110,8 @@ def _waits(explored: Explored, graph: Graph, state: int, place: int, region: int
         name: [replace(need, events=need.events - raised[name]) for item, need in own if not item.free]
         for name, own in found.items()
     }
-    if agent.name in wait_for_input(needs, explored.writers()):
+    # Regions that stand still while this group of them is explored may wait for something else.
+    if explored.needed is None and agent.name in wait_for_input(needs, explored.writers()):
         return None
     return mine
 
@@ -120,9 +121,10 @@ def stuck_alone(explored: Explored, graph: Graph) -> bool:
     more."""
     (agent,) = explored.agents
     back = _back(graph)
-    for region in range(len(agent.chart.REGIONS)):
+    for region, label in enumerate(agent.chart.REGIONS):
+        if explored.needed is not None and label not in explored.needed.regions[agent.role]:
+            continue
         where = [_leaf(places[0], region) for places in graph.places]
-        label = agent.chart.REGIONS[region]
 
         def ends(edge: Edge, can: Set[int], state: int, where: list[int] = where, label: str = label) -> bool:
             return edge.target in can or _moves(edge, where, state, agent, label)
@@ -155,15 +157,15 @@ def _own(edges: Iterable[Edge]) -> Iterable[list[Edge]]:
 
 
 def _surely(edges: Sequence[Edge], place: int, is_good: Callable[[Edge], bool], is_exact: bool) -> bool:
-    """Whether a move, from its decision `place` on, may turn out well, however many others have answered. If
-    what decisions follow is not exact, each of them has to."""
+    """Whether a move, from its decision `place` on, may turn out well for each decision of others. If what
+    decisions follow is not exact, each of them has to."""
     if len(edges) == 1 and place >= len(edges[0].step.way):
         return is_good(edges[0])
     ways: dict[int, list[Edge]] = {}
     for edge in edges:
         ways.setdefault(edge.step.way[place], []).append(edge)
     found = (_surely(some, place + 1, is_good, is_exact) for some in ways.values())
-    return all(found) if place in edges[0].counts or not is_exact else any(found)
+    return all(found) if place in edges[0].of_others or not is_exact else any(found)
 
 
 def _past(explored: Explored, agent: Agent) -> str | None:

@@ -64,8 +64,8 @@ class Edge:
     before; NEW or CROSSED if it has come with this move."""
     is_own: bool = True
     """Whether nothing has come of others (see `Others`) in it."""
-    counts: tuple[int, ...] = ()
-    """Which of its decisions say how many others have answered."""
+    of_others: tuple[int, ...] = ()
+    """Which of its decisions others make: how many have answered, and what they have published."""
 
 
 ENOUGH = "what was asked for is refuted"
@@ -384,10 +384,8 @@ class Search:
             graph.sightings.append(Sighting("circling", circling, (state, step)))
         new = CROSSED if explored.arriving is not None and explored.arriving.crosses else NEW
         letters = tuple([before.get(item, new) for item in explored.letters()])
-        others = explored.others
-        is_own = others is None or not (others.has_come or move.kind[0] == "other")
-        counts = () if others is None else tuple(others.counts)
-        yield Edge(target, move.kind, frozenset(eyes.taken), step, letters, is_own, counts)
+        taken, of_others = frozenset(eyes.taken), tuple(explored.choices.of_others)
+        yield Edge(target, move.kind, taken, step, letters, explored.is_own(move.kind), of_others)
 
     def _judge(self) -> None:
         """Whether a message that nothing takes is more than late: its receiver has let no deadline pass.

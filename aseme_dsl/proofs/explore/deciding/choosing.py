@@ -19,6 +19,8 @@ class Choices:
         self._place = 0
         self.said: list[str] = []
         """The decisions of this way, for readers."""
+        self.of_others: list[int] = []
+        """Which decisions of this way are made by agents that are not explored."""
         self.draw: Callable[[Sequence[int], int], int] | None = None
         """Draws the answer to a decision that was not made yet, if something does: from the answers to those
         before, and from how many there are. Else it is the first one."""
@@ -42,7 +44,9 @@ class Choices:
         self._start()
         return True
 
-    def of(self, question: Hashable, answers: Sequence[_T], text: str = "") -> _T:
+    def of(
+        self, question: Hashable, answers: Sequence[_T], text: str = "", *, is_of_others: bool = False
+    ) -> _T:
         """One of the answers. `text` says what was decided, with `{}` for the answer; not if that is None."""
         if question in self._made:
             return self._made[question]  # type: ignore[return-value]
@@ -53,6 +57,8 @@ class Choices:
                 self._script.append(0 if self.draw is None else self.draw(self._script, len(answers)))
                 self._widths.append(len(answers))
             chosen = answers[self._script[self._place]]
+            if is_of_others:
+                self.of_others.append(self._place)
             self._place += 1
             if text and chosen is not None:
                 self.say(text, chosen)
@@ -100,6 +106,7 @@ class Choices:
         self._place = 0
         self._made.clear()
         self.said.clear()
+        self.of_others.clear()
 
 
 __all__ = ["Choices"]

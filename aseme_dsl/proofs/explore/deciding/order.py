@@ -158,6 +158,8 @@ class Order:
         self.asks: Callable[[], bool] = lambda: True
         """Whether comparisons are those of the program. Others compare only whether a number is the same."""
         self._choices = choices
+        self.is_of_others = False
+        """Whether agents that are not explored may have given the numbers."""
         self._asked = 0
 
     # ---- numbers -----------------------------------------------------------------------------
@@ -242,7 +244,7 @@ class Order:
             row, column, by = self._difference(one, other)
             if 0 in (row, column):
                 self.compared.add(by if column == 0 else -by)
-        place = self._choices.of(("order", self._asked), range(len(possible)))
+        place = self._choices.of(("order", self._asked), range(len(possible)), is_of_others=self.is_of_others)
         answer, zone = possible[place]
         if not self._is_loose(one, other):
             self.known.zone = zone

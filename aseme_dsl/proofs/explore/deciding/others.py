@@ -81,8 +81,6 @@ class Others:
         """Whether that was decided in the present round."""
         self._again: list[int] = []
         """How many transitions had been taken when a second message of a kind and sender might have come."""
-        self.counts: list[int] = []
-        """Which decisions of the move say how many have answered."""
         self.paused: list[bool] = [False]
         """Whether the agent has paused in the midst of a step."""
         self.differ: Callable[[Sequence[str], Collection[str]], Sequence[str]] = lambda names, came: names
@@ -119,7 +117,7 @@ class Others:
         """A move is made."""
         self._is_look = self._goes_on = False
         self._taken = self._before = self._asked = 0
-        for known in (self._came, self._lent, self._later, self._again, self.counts):
+        for known in (self._came, self._lent, self._later, self._again):
             known.clear()
         self.paused[0] = False
 
@@ -130,12 +128,24 @@ class Others:
                 self._choices.close(place)
         self.is_bounded = self.is_bounded or any(taken < self._taken for taken in self._again)
 
-    def left_out(self, bus: Bus) -> str:
+    def channels(self, bus: Bus) -> frozenset[str]:
+        """The channels on which something of others may come to the agent."""
+        return frozenset(
+            channel
+            for other in self._others
+            for channel in bus._routes._writes.get(other.name, ())
+            if channel in self.agent.chart.READERS
+        )
+
+    @property
+    def left_out(self) -> str:
         """What of others is not looked at; empty if nothing is."""
-        for other in self._others:
-            for channel in bus._routes._writes.get(other.name, ()):
-                if channel in self.agent.chart.READERS:
-                    return f"{self.agent.role} reads {channel} of others"
+        for term in terms_of(self.agent.plan):
+            match term:
+                case ("member", str(), channel, *_):
+                    return f"{self.agent.role} asks who has sent {channel}"
+                case _:
+                    pass
         codes = (getattr(method, "__code__", None) for method in vars(type(self.agent.chart)).values())
         if any(code is not None and "since" in code.co_names for code in codes):
             return f"{self.agent.role} asks how old an agent message is"
@@ -345,9 +355,7 @@ class Others:
 
     def _decided(self, question: tuple[str, ...], answers: Sequence[int], text: str) -> int:
         self._asked += 1
-        if len(answers) > 1:
-            self.counts.append(self._choices.place)
-        return self._choices.of((*question, self._asked), answers, text)
+        return self._choices.of((*question, self._asked), answers, text, is_of_others=True)
 
     # ---- what makes no difference ------------------------------------------------------------
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import ast
 import sys
-from collections.abc import Callable, Container, Hashable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Container, Hashable, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import field
 from functools import lru_cache
@@ -56,6 +56,8 @@ class Outcomes:
         self._splits = 0
         self._mark = 0
         self._is_quiet = False
+        self.is_of_others: Callable[[Hashable], bool] = lambda question: False
+        """Whether agents that are not explored decide a question."""
 
     def begin(self, *, is_quiet: bool = False) -> None:
         """A move is made; `is_quiet`: first that in which no condition is true."""
@@ -80,7 +82,7 @@ class Outcomes:
         held = dict.fromkeys(
             answer for item in self._group for answer in ((item[question],) if question in item else answers)
         )
-        chosen = self._split(tuple(held))
+        chosen = self._split(tuple(held), [question])
         self._group = [
             {**item, question: chosen} for item in self._group if item.get(question, chosen) == chosen
         ]
@@ -119,11 +121,12 @@ class Outcomes:
                         break
         finally:
             self._now = None
-        is_true = self._split(tuple(sorted(found, reverse=not self._is_quiet)))
+        asked = {question for items in found.values() for item in items for question in item}
+        is_true = self._split(tuple(sorted(found, reverse=not self._is_quiet)), asked)
         group = found[is_true]
         if len(group) > MOST:
             parts = range(0, len(group), MOST)
-            place = self._split(tuple(parts))
+            place = self._split(tuple(parts), asked)
             group = group[place : place + MOST]
         self._group = group
         return is_true
@@ -151,9 +154,11 @@ class Outcomes:
             known, last = way, now[question]
         known.ways[last] = is_so
 
-    def _split(self, answers: Sequence[_T]) -> _T:
+    def _split(self, answers: Sequence[_T], asked: Iterable[Hashable]) -> _T:
+        """One of the answers, each of which comes of some of what was `asked`."""
         self._splits += 1
-        return self._choices.of(("split", self._splits), answers)
+        is_of_others = len(answers) > 1 and any(map(self.is_of_others, asked))
+        return self._choices.of(("split", self._splits), answers, is_of_others=is_of_others)
 
     def _next(self, width: int) -> int:
         if self._place == len(self._script):
@@ -184,7 +189,7 @@ class Outcomes:
                 tuple((question, item[question]) for question in questions if question in item)
                 for item in self._group
             )
-            way = self._split(tuple(ways))
+            way = self._split(tuple(ways), questions)
             self._group = [
                 item
                 for item in self._group

@@ -16,11 +16,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from enum import Enum
 
+from aseme_dsl.proofs.explore.deciding.order import AnyNumber
 from aseme_dsl.proofs.explore.deciding.staging import undecided
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.plan import Plan, Variable, is_in
 
 _BOTH = frozenset((True, False))
+_ANY = object()
 
 
 class Never:
@@ -103,7 +105,8 @@ class Never:
         if key not in self._may_be:
             self._may_be[key] = self._written(self._variables[name], leaf, scope)
         written = self._may_be[key]
-        return None if written is None else written | {_held(chart, name)}
+        held = _held(chart, name)
+        return None if written is None or held is _ANY else written | {held}
 
     def _written(self, variable: Variable, leaf: str, scope: str | None) -> frozenset[object] | None:
         found: set[object] = set()
@@ -152,7 +155,10 @@ def _held(chart: Chart, name: str) -> object:
 
 
 def _plain(value: object) -> object:
-    """A value as conditions write it: one of an enumeration as its number."""
+    """A value as conditions write it: one of an enumeration as its number. To compare a number that may be
+    any would decide something."""
+    if type(value) is AnyNumber:
+        return _ANY
     return value.value if isinstance(value, Enum) else value
 
 
