@@ -11,7 +11,9 @@ from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, settings
+from hypothesis.internal.conjecture import providers
 
+from tests.support.forgetting import forget_what_is_left
 from tests.support.lanes import IS_LONG
 from tests.support.surroundings import settle
 
@@ -19,6 +21,9 @@ from tests.support.surroundings import settle
 # same every time: a red run can be repeated.
 settings.register_profile("local", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.register_profile("ci", settings.get_profile("local"), derandomize=True, print_blob=True)
+# Hypothesis also tries constants of all modules of ours. These differ with what other tests
+# have imported, and it reads each module for them, also each that a test generates.
+providers._get_local_constants = lambda: providers._local_constants
 settings.load_profile("ci" if os.environ.get("CI") else "local")
 
 Snapshot = Callable[[str | bytes, str], None]
@@ -42,6 +47,18 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 def pytest_runtest_setup(item: pytest.Item) -> None:
     if not IS_LONG and item.get_closest_marker("long") is not None:
         pytest.skip("takes long: python3 dev.py long")
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_runtest_teardown(item: pytest.Item, nextitem: pytest.Item | None) -> None:
+    if nextitem is not None and nextitem.path != item.path:
+        forget_what_is_left()
+
+
+def pytest_collection_finish() -> None:
+    # What all tests have stays, too.
+    gc.collect()
+    gc.freeze()
 
 
 @pytest.fixture

@@ -16,7 +16,7 @@ from aseme_dsl.backends.backend import BackendOptions
 from aseme_dsl.backends.batch import BACKEND as BATCH
 from aseme_dsl.backends.plain import BACKEND as PLAIN
 from aseme_dsl.runtime.plain.batch import Batch
-from tests.support.generated import forget_folders
+from tests.support.forgetting import forget_folders
 
 _numbers = itertools.count(1)
 

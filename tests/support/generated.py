@@ -23,6 +23,7 @@ from aseme_dsl.diagnostics import has_errors, render_text
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.source import Source
+from tests.support.forgetting import forget_folders, forget_with
 
 _numbers = itertools.count(1)
 
@@ -73,12 +74,6 @@ def generate(text: str, sources: Mapping[str, str] | None = None, backend: Backe
     return imported(system_of(text, sources), backend)
 
 
-def forget_folders(root: Path) -> None:
-    """Have Python look again at what is in a folder: it makes each import slower to remember thousands."""
-    for place in [place for place in sys.path_importer_cache if place.startswith(str(root))]:
-        del sys.path_importer_cache[place]
-
-
 def imported(system: System, backend: Backend = BACKEND) -> Generated:
     """Write the package of a system into a temporary folder and import it under a name of its own."""
     root = Path(tempfile.mkdtemp(prefix="aseme-test-"))
@@ -96,4 +91,6 @@ def imported(system: System, backend: Backend = BACKEND) -> Generated:
     finally:
         sys.path.remove(str(root))
         forget_folders(root)
-    return Generated(system, package, root)
+    made = Generated(system, package, root)
+    forget_with(made, name)
+    return made

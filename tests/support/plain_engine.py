@@ -28,7 +28,8 @@ from aseme_dsl.runtime.chart.inputs import (
     Written,
 )
 from aseme_dsl.runtime.plain.plain import ActivityFailed, OutOfBounds, Plain, Unsettled
-from tests.support.generated import Generated, forget_folders
+from tests.support.forgetting import forget_folders
+from tests.support.generated import Generated
 
 
 class CannotDo(Exception):
