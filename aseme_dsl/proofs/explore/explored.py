@@ -200,7 +200,6 @@ class Explored:
             loaded.types,
             names,
             {**fixed_in(known), **settled(plans, names)},
-            is_few=True,
             conditions=conditions,
             numbers=numbers,
             is_free=bool(others) or numbers is None,
@@ -377,6 +376,8 @@ class Explored:
         """Whether an agent makes a move of this kind by itself, and nothing of others has come in it."""
         if self.others is None:
             return True
+        if self.others.has_come:
+            return False
         match kind:
             case ("other", *_):
                 return False
@@ -385,7 +386,7 @@ class Explored:
             case ("input", _, channel) | ("time", _, "message" | "signal", channel):
                 return channel not in self._of_others
             case _:
-                return not self.others.has_come
+                return True
 
     def settle(self) -> None:
         """Get the agents ready for their first step."""

@@ -75,18 +75,16 @@ class Values:
         types: Mapping[str, type[object]],
         agents: Sequence[str],
         fixed: Mapping[Place, frozenset[object]] | None = None,
-        is_few: bool = False,
         conditions: Sequence[Condition] = (),
         numbers: Sequence[float] | None = (),
         is_free: bool = False,
     ) -> None:
         """`types` are the classes of messages and enums by name. What may stand at the places in `fixed` is
-        known. `is_few`: as few values as possible are tried. Others than the plans ask for `conditions`.
-        Where a few numbers do not stand for all, these `numbers` are tried, too; None: there is one that may
-        be any. `is_free`: what messages say to rank agents is not tried if nothing else asks for it."""
+        known. Others than the plans ask for `conditions`. Where a few numbers do not stand for all, these
+        `numbers` are tried, too; None: there is one that may be any. `is_free`: what messages say to rank
+        agents is not tried if nothing else asks for it."""
         self._numbers = numbers
         self.fixed: Mapping[Place, frozenset[object]] = {} if fixed is None else fixed
-        self._is_few = is_few
         self._enums = enums_of(types)
         self._messages = {name: kind for name, kind in types.items() if name not in self._enums}
         self._agents = tuple(agents)
@@ -287,7 +285,7 @@ class Values:
         return values
 
     def _tried(self, kind: object, known: _Class) -> Tried:
-        found = _few(kind, known) if self._is_few else None
+        found = _few(kind, known)
         found = _values(kind, known, self._agents) if found is None else found
         if found.is_all:
             return found
