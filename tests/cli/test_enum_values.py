@@ -119,7 +119,7 @@ def test_enums_of_a_counterexample_are_played(here: Here, folder: Path) -> None:
         text + 'property "no green" { never boss in Rest and boss has [colour == Colour.GREEN] }\n'
         'property "no blue" { never boss in Rest and boss has [shop.state.Pot.tin.colour == Colour.BLUE] }\n'
     )
-    done = here("prove", "a.aseme", "--save", "found.aseme")
+    done = here("prove", "a.aseme", "no green", "no blue", "--save", "found.aseme")
     for name in ("no green", "no blue"):
         assert f"REFUTED   {name}" in done.out, done.out
     played = here("test", "found.aseme", "--json").json

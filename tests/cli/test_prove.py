@@ -309,7 +309,7 @@ def test_a_property_about_values_has_those_tried_that_it_asks_for(prove) -> None
     )
     text += 'property "few" { always robot has [tries < 3] }\n'
     text += 'property "small" { never received Ball b [b.distance > 900.0] }\n'
-    found = verdicts(prove(text, "--json"))
+    found = verdicts(prove(text, "few", "small", "--json"))
     assert (found["few"], found["small"]) == ("REFUTED", "REFUTED")
 
 
