@@ -165,3 +165,13 @@ def test_an_agent_that_goes_on_for_all_that_is_published_is_proved(prove, line: 
 def test_one_that_waits_for_what_others_publish_stays_undecided(prove, line: str) -> None:  # type: ignore[no-untyped-def]
     found = asked(prove, PUBLISHED.replace("LINE", line), "deadlock")
     assert found["verdict"] == "UNDECIDED", found
+
+
+def test_what_each_agent_publishes_for_itself_is_its_own(prove) -> None:  # type: ignore[no-untyped-def]
+    line = "when [eye.state.Ball.n > 1]\n    enter Stay : [team.state.Order.n > 1]\n    skip Stay : else"
+    text = PUBLISHED.replace("LINE", line).replace("Look . Look . Look", "Look . [Stay]")
+    text = text.replace("topic team", "message Ball { int n }\ntopic eye { state Ball }\ntopic team")
+    text = text.replace("End waits }", "End waits  Look writes eye.state.Ball }")
+    found = asked(prove, text, "deadlock")
+    assert found["verdict"] == "PROVED", found
+    assert "each agent among others" in found["bounds"]

@@ -135,6 +135,7 @@ class Others:
             for other in self._others
             for channel in bus._routes._writes.get(other.name, ())
             if channel in self.agent.chart.READERS
+            and self.agent.name in bus._routes.receivers(other.name, channel).names
         )
 
     @property
