@@ -55,12 +55,6 @@ def pytest_runtest_teardown(item: pytest.Item, nextitem: pytest.Item | None) -> 
         forget_what_is_left()
 
 
-def pytest_collection_finish() -> None:
-    # What all tests have stays, too.
-    gc.collect()
-    gc.freeze()
-
-
 @pytest.fixture
 def snapshot(request: pytest.FixtureRequest) -> Snapshot:
     """`snapshot(value, "name.txt")` compares a text or bytes with `snapshots/name.txt` beside the test file.
