@@ -248,9 +248,9 @@ class Coming:
         """Whether anything may come to an agent in these moves."""
         return bool(self._may_come[name])
 
-    def outside(self, name: str) -> frozenset[str]:
-        """The channels of which something may come to an agent in these moves, but none of other agents."""
-        return frozenset(self._may_come[name] - self._of_others)
+    def has_more_from_outside(self, name: str) -> bool:
+        """Whether anything but what other agents publish may come to an agent in these moves."""
+        return not self._may_come[name] <= self._of_others
 
     def begin(self) -> None:
         """A move is made now."""

@@ -266,7 +266,8 @@ class Explored:
             with_times,
             self._of_others,
         )
-        self._outcomes.is_of_others = self._decided_by_others
+        if self._of_others:
+            self._outcomes.is_of_others = self._decided_by_others
         self.order.is_of_others = bool(self._of_others)
         self._steady = Steady(plans, coming, acting, with_times or alone is not None)
         self._events = {plan.name: events(plan) for plan in plans}
@@ -368,7 +369,7 @@ class Explored:
             case ("member", _, str() as message, _):
                 return any(channel.rpartition(".")[2] == message for channel in self._of_others)
             case ("function", *_):
-                return bool(self._of_others)
+                return True
             case _:
                 return False
 
@@ -382,7 +383,7 @@ class Explored:
             case ("other", *_):
                 return False
             case ("input", agent):
-                return bool(self.coming.outside(agent))
+                return self.coming.has_more_from_outside(agent)
             case ("input", _, channel) | ("time", _, "message" | "signal", channel):
                 return channel not in self._of_others
             case _:

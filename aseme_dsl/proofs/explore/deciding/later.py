@@ -150,7 +150,7 @@ class Later:
             if content.is_brief and len(answers) > 1 and self._alike[key[1:]] is None:
                 return self._outcomes.of(("member", *key), answers, text)
             question = "member", *key
-            is_of_others = self._outcomes.is_of_others(question)
+            is_of_others = self._outcomes.decided_by_others([question])
             answer = self._choices.of(question, answers, text, is_of_others=is_of_others)
             values[key] = self._order.made(answer)
         return values[key]

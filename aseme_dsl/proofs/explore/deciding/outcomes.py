@@ -56,8 +56,8 @@ class Outcomes:
         self._splits = 0
         self._mark = 0
         self._is_quiet = False
-        self.is_of_others: Callable[[Hashable], bool] = lambda question: False
-        """Whether agents that are not explored decide a question."""
+        self.is_of_others: Callable[[Hashable], bool] | None = None
+        """Whether agents that are not explored decide a question; None if there are none that do."""
 
     def begin(self, *, is_quiet: bool = False) -> None:
         """A move is made; `is_quiet`: first that in which no condition is true."""
@@ -121,12 +121,13 @@ class Outcomes:
                         break
         finally:
             self._now = None
-        asked = {question for items in found.values() for item in items for question in item}
+        # What was asked is only gone through where others may decide it.
+        asked = (question for items in found.values() for item in items for question in item)
         is_true = self._split(tuple(sorted(found, reverse=not self._is_quiet)), asked)
         group = found[is_true]
         if len(group) > MOST:
             parts = range(0, len(group), MOST)
-            place = self._split(tuple(parts), asked)
+            place = self._split(tuple(parts), (question for item in group for question in item))
             group = group[place : place + MOST]
         self._group = group
         return is_true
@@ -157,8 +158,12 @@ class Outcomes:
     def _split(self, answers: Sequence[_T], asked: Iterable[Hashable]) -> _T:
         """One of the answers, each of which comes of some of what was `asked`."""
         self._splits += 1
-        is_of_others = len(answers) > 1 and any(map(self.is_of_others, asked))
+        is_of_others = len(answers) > 1 and self.decided_by_others(asked)
         return self._choices.of(("split", self._splits), answers, is_of_others=is_of_others)
+
+    def decided_by_others(self, asked: Iterable[Hashable]) -> bool:
+        """Whether agents that are not explored decide something that was asked."""
+        return self.is_of_others is not None and any(map(self.is_of_others, asked))
 
     def _next(self, width: int) -> int:
         if self._place == len(self._script):

@@ -7,8 +7,7 @@ message asks for its age, too, in the same `&&`, and nothing else looks at it.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from operator import itemgetter
+from collections.abc import Mapping
 
 from aseme_dsl.runtime.chart.plan import Plan
 
@@ -33,8 +32,11 @@ def _look(term: object, young: Mapping[str, int], found: dict[str, int], open_: 
     """Note what looks into messages, where those on the channels `young` are not older than so (ns)."""
     match term:
         case ("&&", *parts):
-            limits = [(channel, age) for part in parts for channel, age in _limit(part)]
-            now = dict(young) | dict(sorted(limits, key=itemgetter(1), reverse=True))
+            now = dict(young)
+            for part in parts:
+                match part:
+                    case ("<", ("age", ("member", None, str() as channel, ())), ("const", int(age))):
+                        now[channel] = min(age, now.get(channel, age))
             for part in parts:
                 _look(part, now, found, open_)
         case ("age", ("member", None, str(), ())):
@@ -46,13 +48,6 @@ def _look(term: object, young: Mapping[str, int], found: dict[str, int], open_: 
                 _look(part, young, found, open_)
         case str():
             open_.add(term)
-
-
-def _limit(term: object) -> Iterator[tuple[str, int]]:
-    """The channel and the age, if a condition is that its newest message is younger than that."""
-    match term:
-        case ("<", ("age", ("member", None, str() as channel, ())), ("const", int(age))):
-            yield channel, age
 
 
 __all__ = ["faded_in"]
