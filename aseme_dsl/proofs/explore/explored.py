@@ -316,11 +316,10 @@ class Explored:
         self._symmetry: Symmetry | None = None
         if self.others is not None and not (kept or told or conditions or further):
             (agent,) = self.agents
-            alike = groups_of(agent, self.others.agents, loaded.messages, has[agent.name])
-            self.memory.watch(alike, (Desk, Entry))
-            self._symmetry = Symmetry(agent, alike, self.values, self.memory.mentions) if alike else None
-        if self.others is not None and self._symmetry is not None:
-            self.others.differ = self._symmetry.others
+            if alike := groups_of(agent, self.others.agents, loaded.messages, has[agent.name]):
+                self.memory.watch(alike, (Desk, Entry))
+                self._symmetry = Symmetry(agent, alike, self.values, self.memory.mentions)
+                self.others.differ = self._symmetry.others
 
     def _agent(self, name: str, kind: type[Chart], loaded: Loaded) -> Agent:
         chart = kind(name)

@@ -215,7 +215,7 @@ class Memory:
 
     def is_of_all(self, name: object, content: Mapping[object, object]) -> bool:
         """Whether a dictionary has the same for a name and for all others of its group."""
-        return any(
+        return bool(self._groups) and any(
             name in some
             and all(other in content and isinstance(content[other], self._same) for other in some)
             for some in self._groups
