@@ -45,8 +45,14 @@ def pasted(
 ) -> tuple[Diagnostic, ...]:
     """The diagnostics, with one for each expression of KSE instead of the errors in it."""
     found = tuple(diagnostics)
+    sources = {
+        item.span.source for item in found if item.span is not None and item.severity is Severity.ERROR
+    }
+    foreign = {source for source in sources if _SURE.search(source.text) is not None}
     wrong = [
-        (item, item.span) for item in found if item.span is not None and _may_be_foreign(item, item.span)
+        (item, item.span)
+        for item in found
+        if item.severity is Severity.ERROR and item.span is not None and item.span.source in foreign
     ]
     if not wrong:
         return found
@@ -64,10 +70,6 @@ def pasted(
     told = {line: _translated(line, declarations, top) for line in inside.values()}
     kept = [item for item in found if id(item) not in inside]
     return (*kept, *told.values())
-
-
-def _may_be_foreign(item: Diagnostic, span: Span) -> bool:
-    return item.severity is Severity.ERROR and _SURE.search(span.source.text) is not None
 
 
 def _lines(source: Source, declarations: Iterable[tree.Declaration]) -> Iterator[_Line]:
