@@ -14,7 +14,7 @@ import socket
 import sys
 import threading
 import warnings
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -39,6 +39,14 @@ from tests.support.generated import generate, system_of
 from tests.support.waiting import wait_until
 
 PROGRAM = "system S\nsrm r { liveness { r = A . B } activities { A takes 1s B takes 1s } }\n"
+
+
+@pytest.fixture(autouse=True, scope="module")
+def unfrozen() -> Iterator[None]:
+    """Nothing is frozen at first (`tests/conftest.py` freezes): what a call freezes is seen."""
+    gc.unfreeze()
+    yield
+    gc.freeze()
 
 
 def globals_of_the_process() -> dict[str, object]:

@@ -77,10 +77,10 @@ for file in files:
 """
 
 
-@pytest.fixture
-def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
-    """A project with certificates, and a host `127.0.0.1` whose home is the folder `home` beside it."""
-    folder = tmp_path / "project"
+@pytest.fixture(scope="module")
+def certified(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A project with certificates, of which each test has a copy."""
+    folder = tmp_path_factory.mktemp("certified") / "project"
     for name, text in {
         "pyproject.toml": PROJECT,
         "field.aseme": SYSTEM,
@@ -90,8 +90,16 @@ def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     }.items():
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_text(text)
+    assert asemec("certificates", "make", cwd=folder).code == 0
+    return folder
+
+
+@pytest.fixture
+def project(certified: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    """A project with certificates, and a host `127.0.0.1` whose home is the folder `home` beside it."""
+    folder = tmp_path / "project"
+    shutil.copytree(certified, folder)
     monkeypatch.chdir(folder)
-    assert asemec("certificates", "make").code == 0
     tools = tmp_path / "tools"
     tools.mkdir()
     (tmp_path / "home").mkdir()

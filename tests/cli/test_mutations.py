@@ -27,7 +27,7 @@ FILES = sorted([*ROOT.glob("examples/*/*.aseme"), *ROOT.glob("tests/acceptance/*
 SLOW = {"robocup": 1, "warehouse": 1, "acceptance": 2}
 """How often an example of these folders is chosen; the others, where much less is done, 3 times."""
 
-MUTATIONS = int(os.environ.get("MUTATIONS", "100"))
+MUTATIONS = int(os.environ.get("MUTATIONS", "40"))
 CHUNKS = min(10, MUTATIONS) if MUTATIONS <= 1000 else MUTATIONS // 100
 FIRST = int(os.environ.get("MUTATIONS_FROM", "0"))
 SECONDS = 2.0

@@ -84,6 +84,10 @@ NOT_RUN = (
 """What an `sh` example may say."""
 
 
+BEGINNING = ("--for", "20s")
+"""So much of the match is played: tests/examples/test_robocup.py plays the rest, and has its picture."""
+
+
 class Wrong(AssertionError):
     """An example is not what the page says."""
 
@@ -230,7 +234,7 @@ class Page:
             os.chdir(words[3:])
             return []
         if words == "python3 dev.py play":
-            arguments = dev.PLAY[2:]
+            arguments = [*dev.PLAY[2:], *BEGINNING]
         elif words.startswith("asemec ") and not re.search(r"[|<>*]", words):
             arguments = shlex.split(words)[1:]
         else:

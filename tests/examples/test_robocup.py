@@ -19,10 +19,12 @@ from aseme_dsl.backends.backend import BackendOptions
 from aseme_dsl.backends.monas import BACKEND
 from aseme_dsl.compiler import analyse
 from aseme_dsl.runtime import Loaded, Team, activities_in, load_system, make_team
+from aseme_dsl.worlds.field import render
 from aseme_dsl.worlds.field.match import Match
 from tests.support.traces import texts_of
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "robocup"
+PICTURE = EXAMPLE.parents[1] / "docs" / "pictures" / "match.svg"
 SECOND = 1_000_000_000
 SEEDS = [int(word) for word in os.environ.get("MATCH_SEEDS", "11").split()]
 """The whole matches: one takes as long as a thousand small tests."""
@@ -128,6 +130,7 @@ class Watched:
     """How many robots were in the center's branch at one instant, at the most."""
     attack: list[str] = field(default_factory=list)
     """The activities of the attack that have a place in its clauses, in the order of their starts."""
+    picture: str = ""
     radio_messages: int = 0
     unsaid: int = 0
 
@@ -209,6 +212,7 @@ def watch(system: Loaded, seed: int) -> Watched:
     )
     result = team.run()
     assert result.reason == "the match is over"
+    seen.picture = render.svg(match)
     seen.score = match.result().score
     seen.failures = [agent.failure for agent in result.agents]
     seen.radio_messages = match.radio[0].said
@@ -236,6 +240,14 @@ def test_it_plays_well(matches: Mapping[int, Watched], seed: int) -> None:
     match = matches[seed]
     assert match.failures == [None] * 4
     assert match.score[0] > match.score[1]
+
+
+def test_the_picture_in_the_documentation_is_of_this_match(
+    matches: Mapping[int, Watched], pytestconfig: pytest.Config
+) -> None:
+    if pytestconfig.getoption("--snapshot-update"):
+        PICTURE.write_text(matches[11].picture, "utf-8")
+    assert matches[11].picture == PICTURE.read_text("utf-8")
 
 
 def test_it_stays_within_what_the_radio_takes(matches: Mapping[int, Watched]) -> None:
