@@ -35,7 +35,7 @@ from tests.oracle.choices import Choices
 from tests.oracle.examples import ROUNDS, forget
 from tests.support.generated import generate, imported, system_of
 
-CHARTS = int(os.environ.get("EXPORTED_CHARTS", "80"))
+CHARTS = int(os.environ.get("EXPORTED_CHARTS", "48"))
 PARTS = 4
 """The random charts are played in so many parts, beside each other."""
 SECOND_LANE = "EXPORTED_CHARTS" in os.environ
