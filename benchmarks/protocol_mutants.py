@@ -230,6 +230,7 @@ def main() -> int:
     parser.add_argument("number", nargs="?", type=int, default=100, help="mutants that compile")
     parser.add_argument("seed", nargs="?", type=int, default=1)
     parser.add_argument("--only", metavar="NAME", help="only protocols whose name contains NAME")
+    parser.add_argument("--first", type=int, default=1, help="leave out the mutants before this one")
     parser.add_argument("--runs", type=int, default=RUNS)
     parser.add_argument("--states", type=int, default=20_000)
     parser.add_argument("--seconds", type=float, default=120.0)
@@ -237,27 +238,29 @@ def main() -> int:
     options = parser.parse_args()
     until = time.monotonic() + 60 * options.minutes
     counts: Counter[str] = Counter()
-    usual = {
-        name: faults_of(name, text, options.seed, options.runs).found
-        for name, text in texts().items()
-        if options.only is None or options.only in name
-    }
-    for name, faults in usual.items():
-        print(f"{name} as it is: {dict(faults)}", flush=True)
+    usual: dict[str, Counter[str]] = {}
     for candidate in candidates(options.seed):
-        if candidate.protocol not in usual:
+        if options.only is not None and options.only not in candidate.protocol:
             continue
         if counts["mutants"] == options.number or time.monotonic() > until:
             break
         mutant = candidate.mutant
+        if counts["mutants"] + 1 < options.first:
+            counts["mutants" if scope_for(candidate.protocol, mutant.text) else "not compiled"] += 1
+            continue
         shown = faults_of(candidate.protocol, mutant.text, options.seed, options.runs)
         if not shown.runs:
             counts["not compiled"] += 1
             continue
         counts["mutants"] += 1
-        wanted = [item for item in shown.found if item not in usual[candidate.protocol]]
+        if shown.found and candidate.protocol not in usual:
+            text = texts()[candidate.protocol]
+            usual[candidate.protocol] = faults_of(candidate.protocol, text, options.seed, options.runs).found
+            print(f"{candidate.protocol} as it is: {dict(usual[candidate.protocol])}", flush=True)
+        wanted = [item for item in shown.found if item not in usual.get(candidate.protocol, ())]
         if not wanted:
             counts["nothing shows"] += 1
+            print(f"{counts['mutants']}: {candidate.protocol}:{mutant.line}: nothing shows", flush=True)
             continue
         found = answers(candidate.protocol, mutant.text, options.states, options.seconds)
         verdicts = {item: found[item].verdict for item in wanted if item in found}
@@ -265,7 +268,8 @@ def main() -> int:
         said_so = (Verdict.REFUTED, Verdict.UNDECIDED, Verdict.PROVED)
         worst = next((item for item in said_so if item in verdicts.values()), Verdict.PROVED)
         counts[f"shows, {worst}"] += 1
-        print(f"{candidate.protocol}:{mutant.line}: {mutant.kind}: {worst}", flush=True)
+        where = f"{candidate.protocol}:{mutant.line}"
+        print(f"{counts['mutants']}: {where}: {mutant.kind}: {worst}", flush=True)
         print(f"    - {mutant.before}\n    + {mutant.after}")
         for item in wanted:
             said = found[item].text[:200] if item in found else "is not asked"

@@ -272,3 +272,93 @@ srm robot {{
 team T {{ it : robot }}
 """
     assert verdict(prove, text, "never it in Kick") == "REFUTED"
+
+
+FERRY = """\
+system Ferry
+message Wind { double speed }
+topic sky { state Wind }
+srm ferry {
+  liveness { ferry = watch~  watch = Listen . (Reef | Steer) }
+  activities { Listen writes sky.state.Wind }
+  control watch {
+    enter Reef  : [AGES && sky.state.Wind.speed > 20]
+    enter Steer : else
+  }
+}
+team Harbour { one : ferry }
+"""
+
+
+@pytest.mark.parametrize(
+    "ages",
+    [
+        "age(sky.state.Wind) > 1s",
+        "age(sky.state.Wind) > 1s && age(sky.state.Wind) < 5s",
+        "age(sky.state.Wind) >= 5s && age(sky.state.Wind) < 6s",
+    ],
+)
+def test_a_message_that_may_be_renewed_at_any_moment_comes_early_enough(
+    prove, here, folder, ages: str
+) -> None:  # type: ignore[no-untyped-def]
+    text = FERRY.replace("AGES", ages) + 'property "it" { never some ferry in Reef }\n'
+    done = prove(text, "it", "--save", "found.aseme")
+    assert verdicts(done) == {"it": "REFUTED"}, done.out
+    assert here("test", "found.aseme").code == 1
+
+
+def test_a_message_that_may_be_renewed_is_as_old_as_since_then(prove) -> None:  # type: ignore[no-untyped-def]
+    """What became old after 1 s was not yet so old as since it came first."""
+    text = """\
+system Renew
+message Wind { double speed }
+topic sky { state Wind }
+srm ferry {
+  liveness {
+    ferry = Begin . [watch]
+    watch = Listen . Wait . (look | Other)
+    look  = Check . (Bad | Good)
+  }
+  activities { Begin writes sky.state.Wind  Listen writes sky.state.Wind }
+  control ferry {
+    enter watch : [sky.state.Wind.speed > 3]
+    skip watch  : else
+  }
+  control watch {
+    enter Wait  : after(800ms)
+    enter look  : after(1s) [age(sky.state.Wind) > 1s]
+    enter Other : after(1s)
+  }
+  control look {
+    enter Bad  : after(1500ms) [age(sky.state.Wind) < LIMIT]
+    enter Good : after(1500ms)
+  }
+}
+team Harbour { one : ferry }
+"""
+    body = (
+        "assume Listen takes 10s..10s assume Wait takes 10ms..10ms assume Check takes 10ms..10ms "
+        "no one in Bad within 60min after one in Listen"
+    )
+    assert verdict(prove, text.replace("LIMIT", "3s"), body) == "REFUTED"
+    assert verdict(prove, text.replace("LIMIT", "2500ms"), body) == "PROVED"
+
+
+def test_two_deadlines_may_pass_at_one_moment(prove) -> None:  # type: ignore[no-untyped-def]
+    text = """\
+system Office
+message Bell { bool loud }
+topic harbour { signal Bell }
+srm ferry {
+  liveness { ferry = Sail . Ring }
+  activities { Sail within 60s }
+  control ferry { enter Ring : / harbour.signal.Bell.loud = true; write_messages.harbour.signal.Bell }
+}
+srm office {
+  liveness { office = Doze . Open }
+  control office { enter Open : when [harbour.signal.Bell.loud] }
+}
+team Harbour { one, two : ferry  port : office }
+"""
+    done = prove(text, "deadlock")
+    assert verdicts(done)["deadlock"] == "REFUTED", done.out

@@ -48,8 +48,12 @@ def scenario_of(run: Run, found: Retraced, types: Mapping[str, Mapping[str, str]
         lines.append(f"stepwise until {moment(last + MILLISECOND)}")
     else:
         lines.append("stepwise")
-    for at, happenings in zip(found.moments, found.happenings, strict=True):
-        lines += [_line(item, moment(at), types) for item in happenings]
+    happenings = [
+        (at - (item.earlier if isinstance(item, Comes) else 0), item)
+        for at, items in zip(found.moments, found.happenings, strict=True)
+        for item in items
+    ]
+    lines += [_line(item, moment(at), types) for at, item in sorted(happenings, key=lambda pair: pair[0])]
     end = max(last + run.further, run.end)
     lines += [item.format(end=moment(end), last=moment(last)) for item in run.expects]
     lines.append(f"for {moment(end)}")

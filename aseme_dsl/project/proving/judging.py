@@ -26,10 +26,12 @@ from aseme_dsl.project.proving.watched import (
 )
 from aseme_dsl.proofs.explore.explored import Assumed, Explored
 from aseme_dsl.proofs.explore.questions import Stuck, Untouched, around, stuck, stuck_alone, unmet, untouched
+from aseme_dsl.proofs.explore.retrace import renewals
 from aseme_dsl.proofs.explore.search import ENOUGH, Graph, Limits, Step, never_untaken
 from aseme_dsl.proofs.explore.wandering.unreached import lines_of, missing_partner, unreached
 from aseme_dsl.proofs.explore.wandering.wander import Goal
 from aseme_dsl.proofs.timed.schedule import moments
+from aseme_dsl.proofs.timed.stamp import Window
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan, State
 from aseme_dsl.runtime.monitor.rules import Always, Before, Never, Until
@@ -41,6 +43,8 @@ _LONG = 3600 * SECOND
 """So long a scenario waits for what does not come (ns)."""
 _GAPS = (10**9, 10**8, 10**7, 10**6, 10**3, 0)
 """So far apart (ns) are two moves of a run with times, if they can be."""
+_MARGIN = 1000
+"""So far (ns) what is due stays apart from the moves before it, if it can."""
 _MOST = 24
 """So many more numbers are tried at the most."""
 _SHOWN = 5
@@ -320,7 +324,13 @@ class Judge:
 
     def _at(self, name: str, steps: Sequence[Step], item: Expectation | None, why: str = "") -> Result:
         """A run that was found with times: it speaks against what was asked if it is played so."""
-        fitting = (moments(steps, gap) for gap in _GAPS)
+        made = [step for step in steps if step.number >= 0]
+        further = renewals(self._explored, self._first, made)
+        fitting = (
+            moments(steps, gap, windows, margin)
+            for windows, margin in ((further, _MARGIN), (further, 0), (dict[int, tuple[Window, ...]](), 0))
+            for gap in _GAPS
+        )
         when = next((some for some in fitting if some is not None), None)
         if when is None:
             reason = "abstract: no moments fit the run that was found"
@@ -329,10 +339,9 @@ class Judge:
         timed = [*zip(when, steps, strict=True)]
         lines = tuple(f"at {readable(moment)}: {step.text}" for moment, step in timed) or ("at the start",)
         found = self._result(name, Verdict.REFUTED, why, lines, item, item is None)
-        made = [(moment, step) for moment, step in timed if step.number >= 0]
+        at = [moment for moment, step in timed if step.number >= 0]
         run = Run(f"{name} of {self._scope.what}", self._scope.team, end=max(when, default=0) + 1)
-        at = [moment for moment, _ in made]
-        return self._played(found, [step for _, step in made], run, item, at)
+        return self._played(found, made, run, item, at)
 
     # ---- what is asked of every team ---------------------------------------------------------
 

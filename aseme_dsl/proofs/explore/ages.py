@@ -43,6 +43,8 @@ class Passing:
     """Which one it is, of several with this name."""
     identity: Identity | None = None
     """That of the message."""
+    renew: Callable[[int], None] | None = None
+    """Make a message as old as after `pass_`, counted from another moment."""
 
 
 def passing(chart: Chart, thresholds: Mapping[str, tuple[int, ...]]) -> Iterator[Passing]:
@@ -70,13 +72,20 @@ def _once(items: Iterable[Passing]) -> Iterator[Passing]:
         key = item.what, item.name, item.duration, item.identity or item.place
         found.setdefault(key, []).append(item)
     for same in found.values():
-        calls = [item.pass_ for item in same]
-        yield same[0] if len(same) == 1 else replace(same[0], pass_=partial(_all, calls))
+        yield same[0] if len(same) == 1 else _together(same)
 
 
-def _all(calls: Sequence[Callable[[], None]]) -> None:
-    for call in calls:
-        call()
+def _together(same: Sequence[Passing]) -> Passing:
+    def pass_() -> None:
+        for item in same:
+            item.pass_()
+
+    def renew(since: int) -> None:
+        for item in same:
+            if item.renew is not None:
+                item.renew(since)
+
+    return replace(same[0], pass_=pass_, renew=None if same[0].renew is None else renew)
 
 
 def pauses(agent: Agent) -> Iterator[tuple[str, _Node, int]]:
@@ -189,9 +198,13 @@ def _messages(
         for sender, item in _newest(board, channel).items():
             older = next_age(NOW - item.time, ages)
             if older is not None:
-                pass_ = _older(chart, number, channel, sender, item, older)
+                renew = _older(chart, number, channel, sender, item)
+                since = standing(item.time, NOW - older)
                 place = number, sender
-                yield Passing("message", channel, older, pass_, item.time, place, item.identity)
+                yield Passing(
+                    *("message", channel, older, partial(renew, since), item.time, place, item.identity),
+                    renew=renew,
+                )
     for channel, longest in board.EXPIRES.items():
         for index, item in enumerate(board._signals.get(channel, ())):
             if NOW - item.time < longest:
@@ -211,13 +224,11 @@ def _newest(board: Board, channel: str) -> dict[str, Sample]:
     return {item.sender: item for item in board._data.get(channel, ())}
 
 
-def _older(
-    chart: Chart, number: int, channel: str, sender: str, item: Sample, age: int
-) -> Callable[[], None]:
-    def make() -> None:
+def _older(chart: Chart, number: int, channel: str, sender: str, item: Sample) -> Callable[[int], None]:
+    def make(since: int) -> None:
         board = _board(chart, number)
         board.part()
-        newest = {**_newest(board, channel), sender: replace(item, time=standing(item.time, NOW - age))}
+        newest = {**_newest(board, channel), sender: replace(item, time=since)}
         if channel in board._states:
             board._states[channel] = newest
         else:  # of data, the newest is all that is read

@@ -752,8 +752,10 @@ class Explored:
                 kind = ("time", agent.name, item.what, item.name)
                 text = f"{agent.name}: {_passed(agent.plan, item)}"
                 do = partial(self._pass, agent, item.pass_)
-                # What may be renewed at any moment was renewed long enough ago.
+                # What may be renewed at any moment was renewed long enough ago: it is exactly so old now.
                 renews = item.what == "message" and self._is_new(agent, item.name)
+                if renews and self._with_times and item.renew is not None:
+                    do = partial(self._pass, agent, partial(self._renew, item.renew, item.duration))
                 when = window(item.since, item.duration, None if renews else item.duration)
                 yield Move(kind, text, do, agent.name, passes=True, window=when)
 
@@ -833,6 +835,10 @@ class Explored:
         if self._talks:
             self.late.add(agent.name)
         agent.begin()
+
+    def _renew(self, renew: Callable[[int], None], age: int) -> None:
+        """A message becomes so old in this move, counted from the last time that it was renewed."""
+        renew(stamp(NOW - age, self.moved, -age))
 
     def _crash(self, agent: Agent) -> None:
         agent.crash()

@@ -8,20 +8,24 @@ of a run have no moments, but deadlines, timers and ages tie some of them to eac
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Hashable, Iterator, Sequence
+from collections.abc import Hashable, Iterator, Mapping, Sequence
 from dataclasses import field
 from functools import partial
 from typing import cast
 
 from aseme_dsl.proofs.explore.ages import next_age, passing, thresholds_of
+from aseme_dsl.proofs.explore.deciding.later import content_of
 from aseme_dsl.proofs.explore.deciding.unread import Path
 from aseme_dsl.proofs.explore.explored import Circling, Explored, Move
 from aseme_dsl.proofs.explore.memory import Picture
 from aseme_dsl.proofs.explore.search import Step
 from aseme_dsl.proofs.explore.surroundings import NOW, Underway
+from aseme_dsl.proofs.timed.stamp import Window
+from aseme_dsl.proofs.timed.ties import Tie, before, found_for, just
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.activity.execution import Execution
 from aseme_dsl.runtime.agent.agent import Agent
+from aseme_dsl.runtime.chart.inputs import Sample
 from aseme_dsl.runtime.message.acl import AclMessage
 
 
@@ -82,6 +86,8 @@ class Comes:
     channel: str
     content: Content
     sender: str | None
+    earlier: int = 0
+    """So long before its move (ns)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -138,14 +144,24 @@ def retrace(
     return _Retrace(explored, first, moments).run(steps)
 
 
-@dataclass(frozen=True, slots=True)
-class _Tie:
-    """Move `later` is `duration` ns behind move `earlier`, or before that is over if it `is_less`."""
+def renewals(explored: Explored, first: Picture, steps: Sequence[Step]) -> Mapping[int, tuple[Window, ...]]:
+    """When messages become old that may be renewed at any moment: a window more, by the moves of a run with
+    times."""
+    found = _Retrace(explored, first, [0] * len(steps))
+    with contextlib.suppress(NotRetraced):
+        found.run(steps)
+    return found.windows(steps)
 
-    later: int
-    earlier: int
-    duration: int
-    is_less: bool
+
+@dataclass(frozen=True, slots=True)
+class _Renewed:
+    """A message that became old in move `step` was renewed `age` ns before: not before move `since`, and not
+    after move `until`, if there is one."""
+
+    step: int
+    age: int
+    since: int
+    until: int | None
 
 
 class _Retrace:
@@ -156,7 +172,13 @@ class _Retrace:
         self._step = 0
         self._happenings: list[list[Happening]] = []
         self._contents: dict[int, Content] = {}
-        self._forgotten: set[int] = set()
+        self._forgotten: dict[int, int] = {}
+        """The contents that may be renewed at any moment, with the moves since which they may."""
+        self._lasting: dict[int, int] = {}
+        """Those that are not renewed any more, with the last moves in which they might be."""
+        self._renewed: list[_Renewed] = []
+        self._anew: set[int] = set()
+        """The contents that are decided anew in the present move."""
         self._standing: dict[str, int] = {}
         """Messages that may have come, or not, by how they are called when functions are given them."""
         self._places: dict[int, tuple[str, str, str | None]] = {}
@@ -169,8 +191,9 @@ class _Retrace:
         self._about: Acts | None = None
         """What acts in the present move, if an activity does."""
         self._kind: tuple[str, ...] = ()
-        self._origins: dict[tuple[str, ...], int] = {}
-        self._ties: list[_Tie] = []
+        self._origins: dict[tuple[str, ...], tuple[int, int]] = {}
+        """From when something is counted: so long (ns) after which move."""
+        self._ties: list[Tie] = []
 
     def run(self, steps: Sequence[Step]) -> Retraced:
         explored = self._explored
@@ -184,11 +207,13 @@ class _Retrace:
                 self._step = number
                 self._happenings.append([])
                 self._note_standing()
+                self._anew.clear()
                 moves = list(explored.moves())
                 move = moves[step.number]
                 self._kind = move.kind
+                aged = self._age(move)
                 if self._moments is None:
-                    self._pend(move)
+                    self._pend(move, aged)
                 heard.clear()
                 explored.choices.heard = heard
                 explored.choices.follow(step.way)
@@ -204,14 +229,30 @@ class _Retrace:
                 if self._moments is None:
                     clock.moment = NOW
                 explored.picture()
+                self._note_lasting()
                 if self._moments is None:
                     self._tie_age()
                     self._note_origins()
+                    if aged is not None:
+                        self._origins.update((key, (number, -aged.age)) for key in self._keys(move))
         finally:
             explored.choices.heard = None
             clock.moment = NOW
-        moments = _moments(len(steps), self._ties) if self._moments is None else tuple(self._moments)
-        return Retraced(tuple(map(tuple, self._happenings)), moments)
+        moments = found_for(len(steps), self._ties) if self._moments is None else self._moments
+        if moments is None:
+            raise NotRetraced("its times exclude each other")
+        return Retraced(tuple(map(tuple, self._happenings)), tuple(moments))
+
+    def windows(self, steps: Sequence[Step]) -> Mapping[int, tuple[Window, ...]]:
+        """See `renewals`."""
+        origins = [0, *(step.origin for step in steps)]
+        found: dict[int, tuple[Window, ...]] = {}
+        for item in self._renewed:
+            windows = [Window(origins[item.since], item.age, None)]
+            if item.until is not None:
+                windows.append(Window(origins[item.until], 0, item.age))
+            found[origins[item.step]] = tuple(windows)
+        return found
 
     # ---- moves -------------------------------------------------------------------------------
 
@@ -239,7 +280,7 @@ class _Retrace:
             case ("crash", agent):
                 self._add(Crash(agent))
             case ("begin",):
-                self._ties.append(_Tie(self._step, 0, 0, is_less=False))
+                self._ties.append(just(self._step, 0, 0))
             case ("input" | "time" | "timer" | "pace" | "pause", *_):
                 pass  # what is decided in it says what comes; or time passes
             case _:
@@ -308,7 +349,7 @@ class _Retrace:
                         self._came(comes or self._channel(), content, number)
                         comes = None
                 case ("forgotten", int() as number):
-                    self._forgotten.add(number)
+                    self._forgotten.setdefault(number, self._step)
                 case ("member", int() as number, str() as kind, tuple() as path):
                     self._content(number, kind).members[path] = value
                 case ("variable", str() as agent, str() as name, _):
@@ -359,13 +400,18 @@ class _Retrace:
         if number in self._forgotten:
             if number not in self._places:
                 raise NotRetraced(f"a {kind} that was taken is decided again")
-            self._forgotten.discard(number)
-            agent, channel, sender = self._places[number]
-            self._contents[number] = Content(kind)
-            self._put_before(Comes(agent, channel, self._contents[number], sender))
+            self._anew.add(number)
+            self._renew(number, kind)
         if number not in self._contents:
             raise NotRetraced(f"a {kind} was decided before the run began")
         return self._contents[number]
+
+    def _renew(self, number: int, kind: str, earlier: int = 0) -> None:
+        """Another message comes in the place of one, so long before the present move."""
+        del self._forgotten[number]
+        agent, channel, sender = self._places[number]
+        self._contents[number] = Content(kind)
+        self._put_before(Comes(agent, channel, self._contents[number], sender, earlier))
 
     def _note_standing(self) -> None:
         """Messages stand for what may have come: they come when something is decided of them."""
@@ -374,7 +420,7 @@ class _Retrace:
                 sender = agent if self._explored.coming.brief[agent][channel] else None
                 self._places[content.number] = agent, channel, sender
                 self._standing[f"{content.kind.__name__} {content.number} ("] = content.number
-                self._forgotten.add(content.number)
+                self._forgotten.setdefault(content.number, self._step)
 
     def _stands(self, arguments: str) -> None:
         """What a function is given has come, even if nothing has asked for a member of it."""
@@ -398,20 +444,70 @@ class _Retrace:
 
     # ---- times -------------------------------------------------------------------------------
 
-    def _pend(self, move: Move) -> None:
+    def _age(self, move: Move) -> _Renewed | None:
+        """A message becomes old that may have been renewed: then it comes so long before."""
+        if move.kind[0] != "time" or move.kind[2] != "message":
+            return None
+        for item in self._aging(move):
+            number = None if (content := content_of(item.message)) is None else content.number
+            if content is None or number not in self._forgotten or number not in self._places:
+                continue
+            agent = next(one for one in self._explored.agents if one.name == move.kind[1])
+            ages = thresholds_of(agent.plan)[0][item.channel]
+            age = next_age(0, ages)
+            assert age is not None and number is not None
+            found = _Renewed(self._step, age, self._forgotten[number], self._lasting.get(number))
+            self._renew(number, content.kind.__name__, age)
+            self._renewed.append(found)
+            return found
+        return None
+
+    def _aging(self, move: Move) -> Iterator[Sample]:
+        """The messages that become old in a move, and were new before."""
+        _, name, _, channel = move.kind
+        agent = next(item for item in self._explored.agents if item.name == name)
+        for board in agent.chart.boards():
+            item = None if board is None else board.newest(channel)
+            if item is not None and item.time == NOW:
+                yield item
+
+    def _keys(self, move: Move) -> list[tuple[str, ...]]:
+        return [key for key in self._origins if key[:3] == ("message", move.kind[1], move.kind[3])]
+
+    def _note_lasting(self) -> None:
+        """Which messages may still be renewed after the present move."""
+        coming = self._explored.coming
+        agents = {agent.name: agent for agent in self._explored.agents}
+        for number in [*self._lasting]:
+            if self._forgotten.get(number, self._step) >= self._step:
+                del self._lasting[number]
+        for number in self._forgotten:
+            if number in self._places and number not in self._lasting:
+                name, channel, _ = self._places[number]
+                if channel in coming.brief[name] and not coming.may_come(agents[name], channel):
+                    self._lasting[number] = self._step
+
+    def _pend(self, move: Move, aged: _Renewed | None) -> None:
         """Tie a move to what is pending before it: it is due with the move, or not before it."""
-        for key, origin, duration in self._pending():
+        if aged is not None:
+            self._ties.append(Tie(self._step, aged.since, aged.age))
+            if aged.until is not None:
+                self._ties.append(Tie(self._step, aged.until, 0, aged.age))
+        for key, (origin, offset), duration in self._pending():
             is_it = key == (move.kind if move.kind[0] in ("time", "timer") else ())
-            self._ties.append(_Tie(self._step, origin, duration, not is_it))
+            if not is_it:
+                self._ties.append(before(self._step, origin, offset + duration))
+            elif aged is None:
+                self._ties.append(just(self._step, origin, offset + duration))
 
     def _tie_age(self) -> None:
         """What has come in this move is as old as was decided."""
         came = self._explored.came
         if came is not None and isinstance(came.since, _Marked):
             if came.least:
-                self._ties.append(_Tie(self._step, came.since.step, came.least, is_less=False))
+                self._ties.append(just(self._step, came.since.step, came.least))
             elif came.until is not None:
-                self._ties.append(_Tie(self._step, came.since.step, came.until + 1, is_less=True))
+                self._ties.append(before(self._step, came.since.step, came.until + 1))
 
     def _note_origins(self) -> None:
         """Since which move the times run that run now."""
@@ -431,6 +527,9 @@ class _Retrace:
                 for channel, senders in board._states.items():
                     for item in senders.values():
                         key = ("message", agent.name, channel, *map(str, item.identity))
+                        content = content_of(item.message)
+                        if content is not None and content.number in self._anew and item.time == NOW:
+                            self._origins.pop(key, None)
                         self._origin(key, item.time, there)
                 for channel, items in board._signals.items():
                     for item in items:
@@ -445,11 +544,13 @@ class _Retrace:
     def _origin(self, key: tuple[str, ...], moment: int, there: set[tuple[str, ...]]) -> None:
         there.add(key)
         if isinstance(moment, _Marked):
-            self._origins[key] = moment.step
+            self._origins.setdefault(key, (moment.step, 0))
+            if self._origins[key][0] < moment.step:
+                self._origins[key] = (moment.step, 0)
         else:
-            self._origins.setdefault(key, self._step)
+            self._origins.setdefault(key, (self._step, 0))
 
-    def _pending(self) -> Iterator[tuple[tuple[str, ...], int, int]]:
+    def _pending(self) -> Iterator[tuple[tuple[str, ...], tuple[int, int], int]]:
         """What may pass now, with the move from which on it is counted, and how long it takes."""
         explored = self._explored
         for agent in explored.agents:
@@ -464,7 +565,7 @@ class _Retrace:
             if timer.call is not None:
                 yield ("timer",), self._origins["pause", str(id(timer))], timer.moment - NOW
 
-    def _of_boards(self, agent: Agent) -> Iterator[tuple[tuple[str, ...], int, int]]:
+    def _of_boards(self, agent: Agent) -> Iterator[tuple[tuple[str, ...], tuple[int, int], int]]:
         thresholds = thresholds_of(agent.plan)[0]
         for board in agent.chart.boards():
             if board is None:
@@ -501,52 +602,6 @@ def _what(item: Underway) -> str:
     return item.what if acl is None else f"{acl.performative} {acl.message}".rstrip()
 
 
-# ---- moments ----------------------------------------------------------------------------------------
-
-_GAPS = (10**9, 10**8, 10**7, 10**6, 10**3)
-"""So long, or as long as is possible, two moves are apart (ns)."""
-
-
-def _moments(count: int, ties: Sequence[_Tie]) -> tuple[int, ...]:
-    """The earliest moments of moves. Raises NotRetraced if there are none."""
-    for gap in _GAPS:
-        found = _solved(count, ties, gap)
-        if found is not None:
-            return found
-    # What is due may change nothing when it comes: then it may come before.
-    needed = [tie for tie in ties if not tie.is_less]
-    if _solved(count, needed, _GAPS[-1]) is None:
-        raise NotRetraced("its times exclude each other")
-    for tie in dict.fromkeys(tie for tie in ties if tie.is_less):
-        if _solved(count, [*needed, tie], _GAPS[-1]) is not None:
-            needed.append(tie)
-    return next(found for gap in _GAPS if (found := _solved(count, needed, gap)) is not None)
-
-
-def _solved(count: int, ties: Sequence[_Tie], gap: int) -> tuple[int, ...] | None:
-    """Longest ways in the graph of what is at least so much later than what."""
-    begin = _Tie(1, 0, 0, is_less=False)
-    edges = [
-        (number - 1, number, 0 if number == 1 and begin in ties else gap) for number in range(1, count + 1)
-    ]
-    for tie in ties:
-        if tie.is_less:
-            edges.append((tie.later, tie.earlier, gap - tie.duration))
-        else:
-            edges.append((tie.earlier, tie.later, tie.duration))
-            edges.append((tie.later, tie.earlier, -tie.duration))
-    moments = [0] * (count + 1)
-    for _ in range(count + 2):
-        changed = False
-        for source, target, least in edges:
-            if moments[source] + least > moments[target]:
-                moments[target] = moments[source] + least
-                changed = True
-        if not changed:
-            return None if moments[0] else tuple(moments[1:])
-    return None
-
-
 __all__ = [
     "Acts",
     "Arrives",
@@ -558,5 +613,6 @@ __all__ = [
     "Happening",
     "NotRetraced",
     "Retraced",
+    "renewals",
     "retrace",
 ]
