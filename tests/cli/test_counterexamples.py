@@ -34,23 +34,24 @@ TALKS = range(int(os.environ.get("REPLAYED_TALKS", "6")))
 
 
 @pytest.mark.parametrize(
-    ("text", "refuted"),
+    ("text", "refuted", "more"),
     [
-        pytest.param(MEET, {"deadlock", "non-local choice"}, id="both wait"),
-        pytest.param(LATE, {"agreement"}, id="a deadline crosses the answer"),
+        pytest.param(MEET, {"deadlock", "non-local choice"}, (), id="both wait"),
+        pytest.param(LATE, {"agreement"}, (), id="a deadline crosses the answer"),
         pytest.param(
             FORGED,
             {"Carry@carrier before Settle@manager", "deadlock", "orphan messages"},
+            (),
             id="an activity sends too early, or not, or twice",
         ),
-        pytest.param(CENTRES, {"one centre", "deadlock"}, id="two beliefs"),
+        pytest.param(CENTRES, {"one centre", "deadlock"}, ("--states", "1000"), id="two beliefs"),
     ],
 )
 def test_what_is_refuted_fails_when_it_is_played(
-    here: Here, folder: Path, text: str, refuted: set[str]
+    here: Here, folder: Path, text: str, refuted: set[str], more: tuple[str, ...]
 ) -> None:
     (folder / "a.aseme").write_text(text)
-    proved = here("prove", "a.aseme", "--save", "found.aseme", "--stories", "stories", "--json")
+    proved = here("prove", "a.aseme", "--save", "found.aseme", "--stories", "stories", "--json", *more)
     found = [item for item in proved.json["results"] if item["verdict"] == "REFUTED"]
     assert {item["name"] for item in found} == refuted
     played = here("test", "found.aseme", "--json")
