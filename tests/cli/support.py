@@ -7,6 +7,7 @@ import json
 import os
 import subprocess
 import sys
+from contextlib import chdir, redirect_stderr, redirect_stdout
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -67,6 +68,14 @@ def asemec(
         timeout=600,
     )
     return Done(done.returncode, done.stdout.decode(), done.stderr.decode())
+
+
+def asemec_here(*arguments: object, cwd: Path | None = None) -> Done:
+    """Call asemec in this process, where nothing captures the streams: it takes half the time."""
+    out, err = io.StringIO(), io.StringIO()
+    with chdir(cwd or "."), redirect_stdout(out), redirect_stderr(err):
+        code = main([str(argument) for argument in arguments])
+    return Done(code, out.getvalue(), err.getvalue())
 
 
 def command(*arguments: object) -> list[str]:

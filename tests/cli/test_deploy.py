@@ -16,7 +16,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.support import Done, asemec
+from tests.cli.support import Done, asemec, asemec_here
 
 pytest.importorskip("cryptography")
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="hosts of robots run Linux")
@@ -90,7 +90,7 @@ def certified(tmp_path_factory: pytest.TempPathFactory) -> Path:
     }.items():
         (folder / name).parent.mkdir(parents=True, exist_ok=True)
         (folder / name).write_text(text)
-    assert asemec("certificates", "make", cwd=folder).code == 0
+    assert asemec_here("certificates", "make", cwd=folder).code == 0
     return folder
 
 
@@ -141,7 +141,7 @@ def started(folder: Path, agent: str = "ann", *more: str) -> Done:
 
 
 def test_a_bundle_is_complete_has_no_secret_and_is_the_same_each_time(project: Path) -> None:
-    done = asemec("deploy")
+    done = asemec_here("deploy")
     assert done.code == 0, done.err
     archive = archive_in(project / "deploy")
     first = archive.read_bytes()
@@ -159,15 +159,15 @@ def test_a_bundle_is_complete_has_no_secret_and_is_the_same_each_time(project: P
         names = file.getnames()
     assert names == ["certificates/ann.key", "certificates/ann.pem", "certificates/authority.pem"]
     shutil.rmtree(project / "out")
-    assert asemec("deploy").code == 0
+    assert asemec_here("deploy").code == 0
     assert archive_in(project / "deploy").read_bytes() == first
     (project / "helping.py").write_text("def number() -> int:\n    return 2\n")
-    assert asemec("deploy", "-o", "second").code == 0
+    assert asemec_here("deploy", "-o", "second").code == 0
     assert archive_in(project / "second").name != archive.name
 
 
 def test_a_bundle_is_copied_activated_and_rolled_back(project: Path) -> None:
-    done = asemec("deploy", "pi@ann")
+    done = asemec_here("deploy", "pi@ann")
     assert done.code == 0, done.err
     to = installed(project)
     first = (to / "current").readlink().name
@@ -177,14 +177,14 @@ def test_a_bundle_is_copied_activated_and_rolled_back(project: Path) -> None:
     assert key.read_bytes() == (project / "certificates" / "ann.key").read_bytes()
     assert key.stat().st_mode & 0o777 == 0o600
     assert not (to / "current" / "certificates" / "bob.key").exists()
-    done = asemec("deploy", "127.0.0.1", "--rollback")
+    done = asemec_here("deploy", "127.0.0.1", "--rollback")
     assert done.code == 1 and "has no version before the active one" in done.err
     (project / "helping.py").write_text("def number() -> int:\n    return 2\n")
-    assert asemec("certificates", "renew", "ann").code == 0
-    assert asemec("deploy", "ann").code == 0
+    assert asemec_here("certificates", "renew", "ann").code == 0
+    assert asemec_here("deploy", "ann").code == 0
     second = (to / "current").readlink().name
     assert second != first and (to / "previous").readlink().name == first
-    done = asemec("deploy", "ann", "--rollback")
+    done = asemec_here("deploy", "ann", "--rollback")
     assert done.code == 0 and f"active: {first}" in done.out
     assert (to / "current").readlink().name == first and (to / "previous").readlink().name == second
     # The version before has the certificate of today.
@@ -198,21 +198,21 @@ def test_old_versions_are_removed_but_never_the_active_one_or_the_one_before(pro
     made: list[str] = []
     for number in range(4):
         (project / "helping.py").write_text(f"def number() -> int:\n    return {number}\n")
-        done = asemec("deploy", "ann", "--keep", "2" if number == 3 else "5")
+        done = asemec_here("deploy", "ann", "--keep", "2" if number == 3 else "5")
         assert done.code == 0, done.err
         made.append((installed(project) / "current").readlink().name)
     assert {path.name for path in (installed(project) / "versions").iterdir()} == set(made[2:])
     assert all(f"removed: {name}" in done.out for name in made[:2])
-    assert asemec("deploy", "ann", "--rollback").code == 0
+    assert asemec_here("deploy", "ann", "--rollback").code == 0
     (project / "helping.py").write_text("def number() -> int:\n    return 9\n")
-    assert asemec("deploy", "ann", "--keep", "1").code == 0
+    assert asemec_here("deploy", "ann", "--keep", "1").code == 0
     there = {path.name for path in (installed(project) / "versions").iterdir()}
     assert there == {(installed(project) / name).readlink().name for name in ("current", "previous")}
-    assert made[2] in there and asemec("deploy", "ann", "--keep", "0").code == 2
+    assert made[2] in there and asemec_here("deploy", "ann", "--keep", "0").code == 2
 
 
 def test_a_host_that_cannot_be_reached_fails_alone(project: Path) -> None:
-    done = asemec("deploy", "--all")
+    done = asemec_here("deploy", "--all")
     assert done.code == 1
     assert "127.0.0.1 (ann): active: Field-" in done.out
     assert "error[E040]: 10.9.9.9: ssh: connect to host 10.9.9.9 port 22: No route to host" in done.err
@@ -229,7 +229,7 @@ def test_a_host_that_cannot_be_reached_fails_alone(project: Path) -> None:
     ],
 )
 def test_what_does_not_fit_is_refused(project: Path, words: tuple[str, ...], code: int, said: str) -> None:
-    done = asemec("deploy", *words)
+    done = asemec_here("deploy", *words)
     assert done.code == code and said in done.err
     assert not (project.parent / "log").exists()
 
@@ -237,19 +237,19 @@ def test_what_does_not_fit_is_refused(project: Path, words: tuple[str, ...], cod
 def test_a_secret_or_a_file_from_elsewhere_is_in_no_bundle(project: Path) -> None:
     text = PROJECT.replace("maps/*.json", "certificates/private/*")
     (project / "pyproject.toml").write_text(text)
-    done = asemec("deploy")
+    done = asemec_here("deploy")
     assert done.code == 1 and "authority.key has a private key, which no bundle may have" in done.err
     (project / "pyproject.toml").write_text(PROJECT.replace('"certificates/ROBOT.key"', '"../ROBOT.key"'))
-    done = asemec("deploy")
+    done = asemec_here("deploy")
     assert done.code == 1 and "is outside of the project" in done.err
     (project / "pyproject.toml").write_text(PROJECT.replace("maps/*.json", "maps/*.txt"))
-    assert "no file is called maps/*.txt" in asemec("deploy").err
+    assert "no file is called maps/*.txt" in asemec_here("deploy").err
     assert not (project / "deploy").exists()
 
 
 def test_an_agent_starts_from_its_bundle(project: Path) -> None:
     pytest.importorskip("zenoh")
-    assert asemec("deploy", "ann").code == 0
+    assert asemec_here("deploy", "ann").code == 0
     folder = installed(project) / "current"
     done = asemec("node", "ann", "--from", folder / "out", "--for", "1s", cwd=project.parent)
     assert done.code == 0, done.err
@@ -269,7 +269,7 @@ BREAK = {
 
 
 def test_of_an_incomplete_or_altered_bundle_nothing_starts(project: Path) -> None:
-    assert asemec("deploy", "ann").code == 0
+    assert asemec_here("deploy", "ann").code == 0
     folder = installed(project) / "current"
     for name, reason in BREAK.items():
         content = (folder / name).read_bytes()
@@ -284,7 +284,7 @@ def test_of_an_incomplete_or_altered_bundle_nothing_starts(project: Path) -> Non
     assert "activities/more.py has been added" in started(folder).err
     (folder / "activities" / "more.py").unlink()
     (folder / "helping.py").write_text("")
-    assert asemec("deploy", "ann").code == 0  # as the hint says
+    assert asemec_here("deploy", "ann").code == 0  # as the hint says
     assert "return 1" in (folder / "helping.py").read_text()
     done = started(folder, "bob")
     assert done.code == 1 and "certificates/bob.key is missing" in done.err
@@ -295,7 +295,7 @@ def test_of_an_incomplete_or_altered_bundle_nothing_starts(project: Path) -> Non
 
 
 def test_a_certificate_that_the_others_would_refuse_is_refused_at_the_start(project: Path) -> None:
-    assert asemec("deploy", "ann").code == 0
+    assert asemec_here("deploy", "ann").code == 0
     folder = installed(project) / "current" / "certificates"
     good = {path.name: path.read_bytes() for path in folder.iterdir()}
     (folder / "ann.pem").write_bytes((project / "certificates" / "bob.pem").read_bytes())
@@ -304,7 +304,7 @@ def test_a_certificate_that_the_others_would_refuse_is_refused_at_the_start(proj
     (folder / "ann.key").write_bytes((project / "certificates" / "bob.key").read_bytes())
     assert "is for bob, not for ann" in started(folder.parent).err
     shutil.rmtree(project / "certificates")
-    asemec("certificates", "make")
+    asemec_here("certificates", "make")
     for name in ("ann.pem", "ann.key"):
         (folder / name).write_bytes((project / "certificates" / name).read_bytes())
     assert "certificate" in (said := started(folder.parent).err) and "error[E038]" in said
@@ -317,7 +317,7 @@ def test_a_file_of_hosts_in_the_project_is_in_the_bundle_and_one_elsewhere_is_no
         place.write_text('ann = "127.0.0.1"\nbob = "10.9.9.9"\n')
         hosts = 'hosts = { ann = "127.0.0.1:7601", bob = "10.9.9.9" }'
         (project / "pyproject.toml").write_text(PROJECT.replace(hosts, f'hosts = "{place}"'))
-        assert asemec("deploy", "-o", f"to{number}").code == 0
+        assert asemec_here("deploy", "-o", f"to{number}").code == 0
         assert ("hosts.toml" in contents(archive_in(project / f"to{number}"))) is (number == 0)
 
 
@@ -331,7 +331,7 @@ def test_a_host_receives_its_part_of_the_operator_s_key_only(project: Path) -> N
     (project / "pyproject.toml").write_text(text)
     shutil.copy(project / "certificates/ann.pem", project / "certificates/cid.pem")
     shutil.copy(project / "certificates/ann.key", project / "certificates/cid.key")
-    assert asemec("key", "keys.toml").code == 0
+    assert asemec_here("key", "keys.toml").code == 0
     whole = newest_key(project / "keys.toml")
     configuration, _ = read_configuration(project / "pyproject.toml")
     for agent, there in (("ann", {"ann", "bob"}), ("bob", {"ann", "bob"}), ("cid", {"cid"})):
@@ -347,7 +347,7 @@ def test_a_host_receives_its_part_of_the_operator_s_key_only(project: Path) -> N
 
 def test_requirements_that_are_not_met_are_reported(project: Path) -> None:
     (project / "requirements.txt").write_text("click==1.0\nnever-there==2.0 --hash=sha256:00\n")
-    assert asemec("deploy", "ann").code == 0
+    assert asemec_here("deploy", "ann").code == 0
     said = started(installed(project) / "current").err
     assert "the Python package never-there 2.0 is not installed" in said
     assert "the Python package click has version" in said
@@ -355,7 +355,7 @@ def test_requirements_that_are_not_met_are_reported(project: Path) -> None:
 
 def test_a_build_without_its_activities_warns(project: Path) -> None:
     pytest.importorskip("zenoh")
-    assert asemec("build").code == 0
+    assert asemec_here("build").code == 0
     shutil.copytree(project / "out", project.parent / "alone")
     done = asemec("node", "ann", "--from", project.parent / "alone", "--for", "300ms")
     assert "warning[W201]" in done.err and "for Say: the agent simulates them" in done.err
@@ -366,7 +366,7 @@ def test_a_bundle_brings_its_python_packages(project: Path, monkeypatch: pytest.
     from aseme_dsl.project.deploying.bundle import make_bundle
     from aseme_dsl.project.settings.configuration import read_configuration
 
-    assert asemec("build").code == 0
+    assert asemec_here("build").code == 0
     out = io.BytesIO()
     with zipfile.ZipFile(out, "w") as file:
         about = "hallo-1.0.dist-info"
@@ -402,7 +402,7 @@ def test_an_archive_with_a_path_that_leads_out_is_refused(project: Path, name: s
 
 
 def test_a_damaged_archive_leaves_the_active_version(project: Path) -> None:
-    assert asemec("deploy", "ann").code == 0
+    assert asemec_here("deploy", "ann").code == 0
     to = installed(project)
     before = (to / "current").readlink()
     archive = archive_in(project / "deploy")
@@ -424,7 +424,7 @@ def test_a_damaged_archive_leaves_the_active_version(project: Path) -> None:
 
 
 def test_the_list_names_every_file_with_its_hash(project: Path) -> None:
-    assert asemec("deploy").code == 0
+    assert asemec_here("deploy").code == 0
     there = contents(archive_in(project / "deploy"))
     listed = json.loads(there.pop("out/bundle.json"))
     assert listed["files"] == {name: hashlib.sha256(content).hexdigest() for name, content in there.items()}
@@ -450,7 +450,7 @@ def test_agents_are_not_started_where_they_would_end_with_the_login(
     for name, script in (("systemctl", SYSTEMCTL), ("loginctl", LOGINCTL)):
         (project.parent / "tools" / name).write_text(script.format(home=home, may=may))
         (project.parent / "tools" / name).chmod(0o755)
-    done = asemec("deploy", "--all", "--start")
+    done = asemec_here("deploy", "--all", "--start")
     unit = home / "config" / "systemd" / "user" / "asemec-Field@.service"
     if may == "true":
         assert "started: ann" in done.out and unit.exists()

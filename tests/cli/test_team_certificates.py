@@ -12,7 +12,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.support import asemec
+from tests.cli.support import asemec, asemec_here
 
 pytest.importorskip("cryptography")
 
@@ -30,7 +30,7 @@ key = "certificates/ROBOT.key"
 def team(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     (tmp_path / "pyproject.toml").write_text(PROJECT)
     monkeypatch.chdir(tmp_path)
-    assert asemec("certificates", "make").code == 0
+    assert asemec_here("certificates", "make").code == 0
     return tmp_path / "certificates"
 
 
@@ -79,7 +79,7 @@ def test_keys_are_for_their_user_alone_and_that_of_the_authority_is_apart(team: 
 
 def test_nothing_is_replaced(team: Path) -> None:
     before = {path: path.read_bytes() for path in team.rglob("*") if path.is_file()}
-    done = asemec("certificates", "make", "--agent", "scout=10.0.0.7,scout.local")
+    done = asemec_here("certificates", "make", "--agent", "scout=10.0.0.7,scout.local")
     assert done.code == 0 and "kept     certificates/robot1.pem" in done.out
     assert all(path.read_bytes() == content for path, content in before.items())
     assert shaken(team, "scout", "robot1", "10.0.0.7") == shaken(team, "scout", "robot1", "scout.local")
@@ -87,18 +87,18 @@ def test_nothing_is_replaced(team: Path) -> None:
 
 def test_a_renewed_certificate_has_a_new_key_and_the_old_one_stays(team: Path) -> None:
     before = (team / "robot1.key").read_bytes(), (team / "robot1.pem").read_bytes()
-    assert asemec("certificates", "renew", "robot1", "--address", "10.0.0.1").code == 0
+    assert asemec_here("certificates", "renew", "robot1", "--address", "10.0.0.1").code == 0
     assert (team / "robot1.key").read_bytes() != before[0]
     assert {path.read_bytes() for path in team.glob("robot1.before-*")} == set(before)
     assert shaken(team, "robot1", "robot2", "10.0.0.1") == "robot2"
     assert shaken(team, "robot1", "robot2", "192.168.1.11") == "robot2"
-    asemec("certificates", "make", "--agent", "scout=10.0.0.7")
-    assert asemec("certificates", "renew", "scout").code == 0
+    asemec_here("certificates", "make", "--agent", "scout=10.0.0.7")
+    assert asemec_here("certificates", "renew", "scout").code == 0
     assert shaken(team, "scout", "robot1", "10.0.0.7") == "robot1"
 
 
 def test_the_list_says_what_expires_and_what_does_not_fit(team: Path) -> None:
-    done = asemec("certificates", "list")
+    done = asemec_here("certificates", "list")
     assert done.code == 0
     assert [line.split()[0] for line in done.out.splitlines()] == [
         "authority",
@@ -106,17 +106,17 @@ def test_the_list_says_what_expires_and_what_does_not_fit(team: Path) -> None:
         "robot2",
         "asemec-operator",
     ]
-    asemec("certificates", "renew", "robot1", "--days", "20")
+    asemec_here("certificates", "renew", "robot1", "--days", "20")
     config = team.parent / "pyproject.toml"
     config.write_text(PROJECT.replace("robot2.local", "robot7.local"))
-    done = asemec("certificates", "list", "--json")
+    done = asemec_here("certificates", "list", "--json")
     found = {item["name"]: item for item in json.loads(done.out)["result"]}
     assert done.code == 1
     assert found["robot1"]["problem"] == "expires soon" and found["robot1"]["days_left"] == 19
     assert found["robot2"]["problem"] == "not valid for robot7.local"
     assert found["robot2"]["addresses"] == ["robot2.local"]
     (team / "robot2.pem").write_bytes((team / "robot1.pem").read_bytes())
-    assert "(its common name is robot1)" in asemec("certificates", "list").out
+    assert "(its common name is robot1)" in asemec_here("certificates", "list").out
 
 
 def test_an_expired_certificate_and_one_of_another_authority_are_reported(team: Path) -> None:
@@ -127,9 +127,9 @@ def test_an_expired_certificate_and_one_of_another_authority_are_reported(team: 
     later = datetime.now(UTC) + timedelta(days=400)
     assert [item.problem for item in validities(files, {}, later)] == [None, *["expired"] * 3]
     old = team.rename(team.parent / "old")
-    asemec("certificates", "make")
+    asemec_here("certificates", "make")
     (team / "robot1.pem").write_bytes((old / "robot1.pem").read_bytes())
-    assert "robot1           " in (said := asemec("certificates", "list").out)
+    assert "robot1           " in (said := asemec_here("certificates", "list").out)
     assert "another authority has signed it" in said
 
 
@@ -144,7 +144,7 @@ def test_an_expired_certificate_and_one_of_another_authority_are_reported(team: 
 )
 def test_half_of_a_pair_is_an_error(team: Path, removed: str, reason: str) -> None:
     (team / removed).unlink()
-    done = asemec("certificates", "make", "--agent", "scout")
+    done = asemec_here("certificates", "make", "--agent", "scout")
     said = done.err.replace("certificates/private/authority.key is", "certificates/authority.key is")
     assert done.code == 1 and "error[E038]" in done.err
     assert reason.replace("/", os.sep) in said.replace(f"{team.parent}{os.sep}", "")
@@ -159,7 +159,7 @@ def test_without_the_library_it_says_what_to_install(tmp_path: Path, monkeypatch
     assert done.code == 1 and 'pip install "aseme-dsl[certificates]"' in done.err
     assert not (tmp_path / "certificates").exists()
     (tmp_path / "pyproject.toml").write_text("")
-    done = asemec("certificates", "make")
+    done = asemec_here("certificates", "make")
     assert done.code == 1 and "there is no [tool.asemec.deploy.tls]" in done.err
 
 
@@ -167,6 +167,6 @@ def test_names_are_names(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Non
     (tmp_path / "pyproject.toml").write_text(PROJECT)
     monkeypatch.chdir(tmp_path)
     for name in ("../x", "a/b", ""):
-        assert asemec("certificates", "make", "--agent", name).code == 2
-        assert asemec("certificates", "renew", name).code == 2
+        assert asemec_here("certificates", "make", "--agent", name).code == 2
+        assert asemec_here("certificates", "renew", name).code == 2
     assert not (tmp_path / "certificates").exists()

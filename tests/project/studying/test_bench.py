@@ -14,7 +14,7 @@ from aseme_dsl.project.studying.bench import Bench, Different, bench, compare, p
 from aseme_dsl.project.studying.bench_report import markdown
 from aseme_dsl.project.studying.drawn import drawn
 from aseme_dsl.runtime.version.loading import load_system
-from tests.cli.support import BAD, GOOD, asemec
+from tests.cli.support import BAD, GOOD, asemec_here
 from tests.support.lamp import LAMP
 
 ROOT = Path(__file__).parents[3]
@@ -112,23 +112,23 @@ def test_nothing_is_timed_where_the_ways_to_run_a_role_disagree(tmp_path: Path) 
 def test_the_command(tmp_path: Path) -> None:
     (tmp_path / "good.aseme").write_text(GOOD, "utf-8")
     (tmp_path / "bad.aseme").write_text(BAD, "utf-8")
-    done = asemec("bench", "good.aseme", "--steps", "50", "--rounds", "1", "--seed", "7", cwd=tmp_path)
+    done = asemec_here("bench", "good.aseme", "--steps", "50", "--rounds", "1", "--seed", "7", cwd=tmp_path)
     assert done.code == 0 and done.out.startswith("# Walker\n\nSeed 7;"), done.err
     assert sorted(path.name for path in tmp_path.iterdir()) == ["bad.aseme", "good.aseme"]
-    said = asemec("bench", "good.aseme", "--steps", "50", "--rounds", "1", "--json", cwd=tmp_path).json
+    said = asemec_here("bench", "good.aseme", "--steps", "50", "--rounds", "1", "--json", cwd=tmp_path).json
     assert said["format"] == 1 and said["seed"] == 1
     assert said["roles"][0]["ways"]["agent"]["step"] > 0
-    assert asemec("bench", "bad.aseme", cwd=tmp_path).code == 1
-    wrong = asemec("bench", "good.aseme", "--plot", "bench.png", cwd=tmp_path)
+    assert asemec_here("bench", "bad.aseme", cwd=tmp_path).code == 1
+    wrong = asemec_here("bench", "good.aseme", "--plot", "bench.png", cwd=tmp_path)
     assert wrong.code == 2 and ".svg" in wrong.err
-    wrong = asemec("bench", "good.aseme", "--role", "robott", cwd=tmp_path)
+    wrong = asemec_here("bench", "good.aseme", "--role", "robott", cwd=tmp_path)
     assert wrong.code == 2 and "Did you mean 'robot'?" in wrong.err
 
 
 def test_no_file_of_the_user_is_written_over(tmp_path: Path) -> None:
     (tmp_path / "good.aseme").write_text(GOOD, "utf-8")
     (tmp_path / "top.aseme").write_text('import "good.aseme"\n', "utf-8")
-    run = asemec("run", "good.aseme", "--for", "2s", "--trace", "run.jsonl", cwd=tmp_path)
+    run = asemec_here("run", "good.aseme", "--for", "2s", "--trace", "run.jsonl", cwd=tmp_path)
     assert run.code == 0, run.err
     (tmp_path / "mine.svg").write_text("<svg/>\n", "utf-8")
     (tmp_path / "pyproject.toml").write_text("[tool.asemec]\n", "utf-8")
@@ -146,22 +146,22 @@ def test_no_file_of_the_user_is_written_over(tmp_path: Path) -> None:
         (("-o", "new.svg", "--plot", "./new.svg"), "would be written twice"),
         (("--inputs", "run.jsonl", "--inputs", "./run.jsonl"), "run.jsonl is given twice"),
     ):
-        done = asemec(*few, *arguments, cwd=tmp_path)
+        done = asemec_here(*few, *arguments, cwd=tmp_path)
         assert done.code == 2 and done.out == "" and text in done.err, done.err
     assert {path: path.read_bytes() for path in tmp_path.iterdir() if path.is_file()} == before
     for _ in range(2):  # what asemec wrote, it writes again
-        assert asemec(*few, "-o", "bench.md", "--plot", "bench.svg", cwd=tmp_path).code == 0
+        assert asemec_here(*few, "-o", "bench.md", "--plot", "bench.svg", cwd=tmp_path).code == 0
 
 
 def test_the_report_and_its_plot_as_files(tmp_path: Path) -> None:
     (tmp_path / "good.aseme").write_text(GOOD, "utf-8")
     few = ("--steps", "50", "--rounds", "1")
     files = ("-o", "out/bench.md", "--plot", "out/pictures/bench.svg")
-    done = asemec("bench", "good.aseme", *few, *files, cwd=tmp_path)
+    done = asemec_here("bench", "good.aseme", *few, *files, cwd=tmp_path)
     assert done.code == 0 and done.out.splitlines() == ["out/pictures/bench.svg", "out/bench.md"], done.err
     assert "](pictures/bench.svg)" in (tmp_path / "out" / "bench.md").read_text("utf-8")
     plot = (tmp_path / "out" / "pictures" / "bench.svg").read_text("utf-8")
     assert "robot, agent" in plot and "robot, Machine.send" in plot and "idle tick" in plot
     (tmp_path / "file").touch()
-    done = asemec("bench", "good.aseme", *few, "-o", "file/bench.md", cwd=tmp_path)
+    done = asemec_here("bench", "good.aseme", *few, "-o", "file/bench.md", cwd=tmp_path)
     assert done.code == 1 and "Traceback" not in done.err and "file" in done.err
