@@ -221,11 +221,19 @@ class Coming:
 
     def may_come(self, agent: Agent, channel: str) -> bool:
         """Whether a new message may come at this moment on a channel of `brief`."""
+        return channel in self.all_that_may_come(agent)
+
+    def all_that_may_come(self, agent: Agent) -> set[str]:
+        """The channels of `brief` on which a new message may come at this moment."""
         if agent.over or agent.down:
-            return False
-        writers = self.brief[agent.name][channel]
+            return set()
         by_label = agent.plan.by_label
-        return not writers or any(by_label[leaf].activity in writers for leaf in agent.chart.configuration())
+        running = {by_label[leaf].activity for leaf in agent.chart.configuration()}
+        return {
+            channel
+            for channel, writers in self.brief[agent.name].items()
+            if not writers or not running.isdisjoint(writers)
+        }
 
     def is_new(self, agent: Agent, channel: str) -> bool:
         """Whether the newest message of a channel may be another one whenever the agent looks for it.
@@ -234,15 +242,12 @@ class Coming:
         """
         return channel in self.brief[agent.name] and all(
             item is None or item.time == NOW
-            for item in (board.newest(channel) for board in agent.chart.boards() if board is not None)
+            for item in (board.newest(channel) for board in _boards(agent, channel))
         )
 
     def look(self) -> None:
         """Note what may come in the moves from this state on."""
-        self._may_come = {
-            agent.name: {channel for channel in self.brief[agent.name] if self.may_come(agent, channel)}
-            for agent in self._agents
-        }
+        self._may_come = {agent.name: self.all_that_may_come(agent) for agent in self._agents}
 
     def has_more(self, name: str) -> bool:
         """Whether anything may come to an agent in these moves."""
@@ -285,11 +290,13 @@ class Coming:
         if self._alone is not None:
             self._drop(agent)
             return
-        for channel in self.brief[agent.name]:
-            if not (agent.over or agent.down or self.may_come(agent, channel)):
+        brief = self.brief[agent.name]
+        coming = brief if agent.over or agent.down else self.all_that_may_come(agent)
+        for channel in brief:
+            if channel not in coming:
                 continue
-            for board in agent.chart.boards():
-                item = None if board is None else board.newest(channel)
+            for board in _boards(agent, channel):
+                item = board.newest(channel)
                 if item is not None and item.time == NOW:
                     self._later.forget(item.message)
         if agent.chart.started and not (agent.over or agent.down):

@@ -35,7 +35,7 @@ from aseme_dsl.proofs.explore.deciding.order import AnyNumber
 from aseme_dsl.proofs.explore.deciding.unread import place_of
 from aseme_dsl.proofs.timed.stamp import Stamp
 from aseme_dsl.records import dataclass
-from aseme_dsl.runtime.chart.board import Whole, whole
+from aseme_dsl.runtime.chart.board import Known, SavedBoard, whole
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.saving import NOTHING, Saved
 
@@ -102,9 +102,9 @@ class _Class:
     """Gives what makes a difference of a content, where that is some of its attributes."""
 
 
-_Atom = tuple[str, int] | int
+_Atom = tuple[str, int] | int | Callable[[], object]
 """A part of an object that is not the same in equal states: a name that counts up, or the identity of an
-object that is meant."""
+object that is meant. A function gives what depends on the order in a dictionary."""
 
 
 class _Held:
@@ -153,6 +153,8 @@ _NAME = "@"
 """Stands before a name that is looked for, among those that count up."""
 _NOTHING = marshal.dumps((), 2)
 """The shape of what holds nothing."""
+_BOARDS = 10_000
+"""The shapes of so many boards are kept."""
 _CHANGING = frozenset((_Kind.LIST, _Kind.DICT, _Kind.SET))
 
 
@@ -193,6 +195,8 @@ class Memory:
         self._same: tuple[type, ...] = ()
         self._mentions: dict[str, tuple[str, ...]] = {}
         """Which of these names are in texts, for those that were seen."""
+        self.boards: dict[int, tuple[Known, bytes, tuple[_Atom, ...] | None]] = {}
+        """The shapes of messages on boards, with their atoms, by the identities of the former."""
 
     # ---- names -------------------------------------------------------------------------------
 
@@ -625,7 +629,7 @@ class _Keying:
         return self._object(held.item, held.kind, held.content)
 
     def _find(self, held: _Held) -> None:
-        if held.kind.kind is _Kind.CHART or self._memory.ordered(type(held.item)) is not None:
+        if held.kind.kind is _Kind.CHART:
             return
         self._atoms = []
         try:
@@ -643,6 +647,9 @@ class _Keying:
         for atom in atoms:
             if isinstance(atom, tuple):
                 found.append(names.setdefault(atom, len(names)))
+                continue
+            if not isinstance(atom, int):
+                found.append(self._value(atom()))
                 continue
             place: object = places.get(atom)
             if place is None:
@@ -691,7 +698,11 @@ class _Keying:
                     if name not in kind.unkeyed
                 ]
                 order = self._memory.ordered(type(item))
-                return tuple(found) if order is None else (*found, value(order(item)))
+                if order is not None and self._atoms is not None:
+                    self._atoms.append(partial(order, item))
+                elif order is not None:
+                    found.append(value(order(item)))
+                return tuple(found)
 
     def _set(self, content: Iterable[object]) -> object:
         """A set by its members in an order that depends on their atoms."""
@@ -707,11 +718,33 @@ class _Keying:
         self._is_own = True
         values = [part if type(part) in _SIMPLE else value(part) for part in kept]
         self._is_own = False
-        boards = [None if board is None else self._board(whole(board)) for board in saved.boards]
+        boards = [None if board is None else self._board(board) for board in saved.boards]
         return tuple(values), tuple(boards), None if saved.seldom is NOTHING else value(tuple(saved.seldom))
 
-    def _board(self, held: Whole) -> object:
-        return tuple([self._value(part) if part else () for part in (held[0].messages(), *held[1:])])
+    def _board(self, saved: SavedBoard) -> object:
+        messages, *others = whole(saved)
+        return self._messages(messages), *[self._value(part) if part else () for part in others]
+
+    def _messages(self, held: Known) -> object:
+        """The messages on a board; most of it is made once."""
+        known = self._memory.boards.get(id(held))
+        if known is None:
+            self._atoms = []
+            try:
+                shape = marshal.dumps(cast(Any, self._value(held.messages())), 2)
+                known = held, shape, tuple(self._atoms)
+            except _Depends:
+                known = held, b"", None
+            finally:
+                self._atoms = None
+            if len(self._memory.boards) > _BOARDS:
+                self._memory.boards.clear()
+            self._memory.boards[id(held)] = known
+        _, shape, atoms = known
+        found = None if atoms is None else self._found(atoms)
+        if found is None:
+            return self._value(held.messages())
+        return (shape, found) if found else shape
 
     def _value(self, value: Any) -> object:
         kind = type(value)

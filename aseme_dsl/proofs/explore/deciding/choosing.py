@@ -17,6 +17,8 @@ class Choices:
         self._widths: list[int] = []
         self._made: dict[Hashable, object] = {}
         self._place = 0
+        self.begun = 0
+        """How often a move was begun: what is known of its ways holds as long as this is the same."""
         self.said: list[str] = []
         """The decisions of this way, for readers."""
         self.of_others: list[int] = []
@@ -29,6 +31,7 @@ class Choices:
 
     def begin(self) -> None:
         """A move is made for the first time."""
+        self.begun += 1
         self._script.clear()
         self._widths.clear()
         self._start()
@@ -76,6 +79,11 @@ class Choices:
             self.heard.append((what, value))
 
     @property
+    def made(self) -> int:
+        """How many questions have been answered."""
+        return len(self._made)
+
+    @property
     def place(self) -> int:
         """How many decisions have been made; which one the next is."""
         return self._place
@@ -90,6 +98,7 @@ class Choices:
 
     def take_back(self, kept: tuple[list[int], list[int]]) -> None:
         """Continue with a move of which these ways have been taken."""
+        self.begun += 1
         self._script[:], self._widths[:] = kept
 
     def way(self) -> tuple[int, ...]:
@@ -98,6 +107,7 @@ class Choices:
 
     def follow(self, way: Sequence[int]) -> None:
         """Make the move as it was made on this way."""
+        self.begun += 1
         self._script[:] = way
         self._widths[:] = [len(way) + 1] * len(way)
         self._start()

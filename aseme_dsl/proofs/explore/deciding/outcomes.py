@@ -56,14 +56,20 @@ class Outcomes:
         self._splits = 0
         self._mark = 0
         self._is_quiet = False
+        self._begun = 0
+        self._results: dict[tuple[tuple[int, ...], int], dict[bool, list[Supposed]]] = {}
+        """What conditions have been in the present move, by the decisions before."""
         self.is_of_others: Callable[[Hashable], bool] | None = None
         """Whether agents that are not explored decide a question; None if there are none that do."""
 
     def begin(self, *, is_quiet: bool = False) -> None:
         """A move is made; `is_quiet`: first that in which no condition is true."""
+        if self._begun != self._choices.begun:
+            self._begun = self._choices.begun
+            self._texts.clear()
+            self._results.clear()
         self._is_quiet = is_quiet
         self._group = [{}]
-        self._texts.clear()
         self._now = None
         self._splits = 0
 
@@ -96,6 +102,25 @@ class Outcomes:
         """
         if self._now is not None:
             return bool(condition())
+        place = self._choices.way(), self._splits
+        found = self._results.get(place)
+        if found is None:
+            made = self._choices.made
+            found = self._looked_at(chart, condition)
+            if made == self._choices.made:  # nothing was decided meanwhile
+                self._results[place] = found
+        # What was asked is only gone through where others may decide it.
+        asked = (question for items in found.values() for item in items for question in item)
+        is_true = self._split(tuple(sorted(found, reverse=not self._is_quiet)), asked)
+        group = found[is_true]
+        if len(group) > MOST:
+            parts = range(0, len(group), MOST)
+            begin = self._split(tuple(parts), (question for item in group for question in item))
+            group = group[begin : begin + MOST]
+        self._group = group
+        return is_true
+
+    def _looked_at(self, chart: Chart, condition: Callable[[], object]) -> dict[bool, list[Supposed]]:
         found: dict[bool, list[Supposed]] = {}
         effects = len(chart.effects)
         known = _Asked((), ((),))
@@ -121,16 +146,7 @@ class Outcomes:
                         break
         finally:
             self._now = None
-        # What was asked is only gone through where others may decide it.
-        asked = (question for items in found.values() for item in items for question in item)
-        is_true = self._split(tuple(sorted(found, reverse=not self._is_quiet)), asked)
-        group = found[is_true]
-        if len(group) > MOST:
-            parts = range(0, len(group), MOST)
-            place = self._split(tuple(parts), (question for item in group for question in item))
-            group = group[place : place + MOST]
-        self._group = group
-        return is_true
+        return found
 
     def _known(self, known: _Asked, now: Supposed) -> bool | None:
         """What a condition is known to be with what is supposed `now`, to which it adds answers; if it is."""
