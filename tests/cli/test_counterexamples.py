@@ -171,6 +171,65 @@ def _played(here: Here, folder: Path, *lines: str) -> tuple[int, str]:
     return done.code, done.out + done.err
 
 
+WAITS = """\
+system Pair
+message Go { int n }
+aip pair {
+  participant lead { sends request Go  receives agree Go  process = Call . Run }
+  participant mate {
+    var likes : bool
+    sends agree Go
+    receives request Go
+    process = Wait . [Follow]
+  }
+  clause every Wait@mate leads to (Run@lead or Follow@mate)
+  control lead {
+    enter Call : / send request Go { n = 1 } to mate
+    enter Run : agree Go from mate
+  }
+  control mate {
+    enter Wait : request Go from lead
+    enter Follow : [likes] / send agree Go { n = 1 } to lead
+    skip Follow : else
+  }
+}
+"""
+
+
+@pytest.mark.parametrize(
+    "team", ["", "srm one { plays pair.mate liveness { one = mate } } team T { mate : one }"]
+)
+def test_what_a_conversation_awaits_for_ever_has_not_come(here: Here, folder: Path, team: str) -> None:
+    """Also if an agent of the team is called like a participant."""
+    (folder / "a.aseme").write_text(WAITS + team)
+    clause = "every Wait@mate leads to (Run@lead or Follow@mate)"
+    done = here("prove", "a.aseme", clause, "--save", "found.aseme", "--json")
+    verdicts = {item["of"]: item["verdict"] for item in done.json["results"]}
+    assert verdicts["protocol pair"] == "REFUTED", done.out
+    assert here("test", "found.aseme").code == 1
+
+
+def test_what_a_conversation_of_a_team_awaits_when_all_have_left_has_not_come(
+    here: Here, folder: Path
+) -> None:
+    """One of them has crashed."""
+    text = (
+        (
+            WAITS.replace("[likes]", "[true]")
+            + "srm one { plays pair.lead liveness { one = lead } }\n"
+            + "srm two { plays pair.mate liveness { two = mate } }\n"
+            + "team T { ann : one  bob : two }\n"
+            + 'property "it" { assume at most 1 of one crash  never ann fails }\n'
+        )
+        .replace("leads to (Run@lead or Follow@mate)", "leads to Run@lead")
+        .replace("never ann fails", "never fault")
+    )
+    (folder / "a.aseme").write_text(text)
+    done = here("prove", "a.aseme", "every Wait@mate leads to Run@lead", "--json")
+    verdicts = {item["of"]: item["verdict"] for item in done.json["results"]}
+    assert verdicts == {"team": "REFUTED", "protocol pair": "PROVED"}, done.out
+
+
 def test_in_a_stepwise_scenario_nothing_ends_or_arrives_by_itself(here: Here, folder: Path) -> None:
     assert _played(here, folder, "stepwise", "at 60s one in Kick and two in Wait")[0] == 0
     lines = (

@@ -34,7 +34,7 @@ from aseme_dsl.proofs.timed.schedule import moments
 from aseme_dsl.proofs.timed.stamp import Window
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan, State
-from aseme_dsl.runtime.monitor.rules import Always, Before, Never, Until
+from aseme_dsl.runtime.monitor.rules import Always, Before, LeadsTo, Never, Sometime, Until
 from aseme_dsl.runtime.time.clock import SECOND, readable
 from aseme_dsl.runtime.version.loading import Loaded
 from aseme_dsl.source import is_library_path
@@ -266,14 +266,15 @@ class Judge:
             steps = graph.way_with(graph.broken[number])
             if self._times is not None:
                 return self._at(name, steps, item)
-            return self._refuted(name, "", steps, item)
+            return self._refuted(name, "", steps, item, expects=_stated(item))
         found = unmet(graph, number) if self._times is None and self._sees_all else None
         if found is not None:
             state, circle = found
             reason = "what is awaited never comes" if not circle else "what is awaited may never come"
             steps = graph.way_to(state)
             further = 0 if circle else _LONG
-            return self._refuted(name, reason, steps, item, round_=around(graph, circle), further=further)
+            round_, expects = around(graph, circle), _stated(item)
+            return self._refuted(name, reason, steps, item, round_=round_, further=further, expects=expects)
         if (ever := self._ever_untaken(item)) is not None:
             return self._refuted(name, ever.text, graph.way_to(ever.state), item, further=_LONG)
         if any(witness not in graph.met for witness in item.witnesses) and graph.cut is None:
@@ -587,6 +588,18 @@ class Judge:
         few = sum(len(part._graph.parents) for part in self.parts if not part._sees_all)
         long = sum(len(part._graph.parents) for part in self.parts if part._sees_all)
         return Bounds(self._scope.agents, tuple(parts), len(graph.parents), few, long)
+
+
+def _stated(item: Expectation) -> tuple[str, ...]:
+    """A clause as a statement of a scenario, if it awaits something. For the end of a run may cut off a
+    conversation: what a clause awaits there has failed only as a statement of the scenario itself."""
+    if (
+        not item.of.startswith("clause")
+        or is_timed(item.rule)
+        or not isinstance(item.rule, LeadsTo | Sometime)
+    ):
+        return ()
+    return (named(item).replace("{", "{{").replace("}", "}}"),)
 
 
 def around_of(plan: Plan, label: str) -> Iterator[State]:

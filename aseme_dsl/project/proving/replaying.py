@@ -53,8 +53,8 @@ def written(
 
 
 def played(root: Path | Source, found: Replay, loaded: Loaded, of: Expectation | None) -> Replay:
-    """A scenario as it went with the files of `root`. There is a problem unless it breaks the expectation:
-    `of`, or one of its own, if that is None."""
+    """A scenario as it went with the files of `root`. There is a problem unless it breaks an expectation:
+    that which it is `of`, if there is one, or one of its own."""
     source = root if isinstance(root, Source) else Source(str(root), outside.read_text(root))
     whole = Source(source.path, f"{source.text}\n{found.text}")
     configuration, _ = configuration_for(Path(source.path))
@@ -93,7 +93,7 @@ def played(root: Path | Source, found: Replay, loaded: Loaded, of: Expectation |
 
 
 def _is(item: Expectation, of: Expectation | None) -> bool:
-    if of is None:
+    if of is None or not item.of:
         return not item.of
     return (item.of, item.span.text) == (of.of, of.span.text)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Set
 from pathlib import Path
 
 from aseme_dsl import outside
@@ -40,26 +40,35 @@ def scopes_of(root: Path | Source, system: System, robots: int) -> Iterator[Scop
     team = _team(system, robots)
     if team:
         yield Scope("team", root, team)
+    names = frozenset(agent.name for item in system.teams for agent in item.agents)
     for aip in system.aips:
         if not is_library_path(aip.span.source.path):
-            yield scope_of(root, aip, robots)
+            yield scope_of(root, aip, robots, names)
 
 
-def scope_of(root: Path | Source, aip: Aip, robots: int) -> Scope:
+def scope_of(root: Path | Source, aip: Aip, robots: int, names: Set[str] = frozenset()) -> Scope:
     """A protocol alone: agents that play a participant once each, and do nothing else.
 
+    None is called like an agent of the team: these `names` are taken.
     What a participant is given comes from outside, as a state that may change at any time.
     """
     source = root if isinstance(root, Source) else Source(str(root), outside.read_text(root))
     text = "".join(_role(aip.name, part) for part in aip.participants)
     team = tuple(
-        (f"{part.name}{number}" if count > 1 else part.name, f"{PREFIX}{part.name}")
+        (_free(f"{part.name}{number}" if count > 1 else part.name, names), f"{PREFIX}{part.name}")
         for part in aip.participants
         for count in (_count(part, robots),)
         for number in range(1, count + 1)
     )
     whole = Source(source.path, f"{source.text}\n\n{text}")
     return Scope(f"protocol {aip.name}", whole, team, aip.name, text)
+
+
+def _free(name: str, names: Set[str]) -> str:
+    """A name that is not taken."""
+    while name in names:
+        name = f"a_{name}"
+    return name
 
 
 def _role(protocol: str, part: Participant) -> str:
