@@ -184,15 +184,19 @@ def supervise(
     Raises:
         PlayError: it cannot be begun: no team, no transport, a robot or the world that does not start.
     """
+    from aseme_dsl.project.settings.deployment import network_of
     from aseme_dsl.project.settings.platform_settings import ZENOH
     from aseme_dsl.project.settings.platforms import PlatformError, check_installed, provided
     from aseme_dsl.runtime.transport import TransportError
+    from aseme_dsl.runtime.transport.meeting import check_meeting
 
     platform = request.platform or ZENOH
     if not loaded.team:
         raise PlayError(problems.NoTeam(loaded.name))
     try:
         check_installed(platform)
+        if platform == ZENOH and network_of(configuration.deploy, "").local:
+            check_meeting()
         with provided(platform, loaded, configuration, lambda line: say("", line, False)):
             options = [*options, "--platform", platform]
             if watch is not None:

@@ -41,6 +41,15 @@ class Meeting:
     secret: bytes
 
 
+def check_meeting() -> None:
+    """Raises TransportError where this system has nothing over which processes meet."""
+    if not hasattr(socket, "AF_UNIX"):
+        raise TransportError(
+            "agents in several processes of one machine meet over Unix sockets, which this system does not"
+            " have: run the team in one process"
+        )
+
+
 @contextmanager
 def joining(system: str, name: str) -> Iterator[Meeting]:
     """Hold the lock under which one process at a time joins the team; listen on `own` before the block ends.
@@ -49,11 +58,7 @@ def joining(system: str, name: str) -> Iterator[Meeting]:
         TransportError: there is no private folder of this user, or another process takes too long to join.
     """
     folder = meeting_place(system)
-    if not hasattr(socket, "AF_UNIX"):
-        raise TransportError(
-            "agents in several processes of one machine meet over Unix sockets, which this system does not"
-            " have: run the team in one process"
-        )
+    check_meeting()
     try:
         with _locked(folder / "lock"):
             others = tuple(path for path in sorted(folder.glob("*.sock")) if _is_live(path))
