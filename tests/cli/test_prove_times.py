@@ -362,3 +362,61 @@ team Harbour { one, two : ferry  port : office }
 """
     done = prove(text, "deadlock")
     assert verdicts(done)["deadlock"] == "REFUTED", done.out
+
+
+CROSS = """\
+system Cross
+message Ping { int n }
+message Pong { int n }
+topic t { signal Ping  signal Pong }
+srm one {
+  liveness { one = A . B }
+  control one { enter B : / t.signal.Ping.n = 1; write_messages.t.signal.Ping }
+}
+srm two {
+  liveness { two = C . D }
+  activities { C waits }
+  control two { enter D : when [t.signal.Ping.n == 1] / t.signal.Pong.n = 1; write_messages.t.signal.Pong }
+}
+srm three {
+  liveness { three = Idle . (First | Second) }
+  control three {
+    enter Second : when [t.signal.Ping.n == 1]
+    enter First  : when [t.signal.Pong.n == 1]
+  }
+}
+team T { a : one  b : two  c : three }
+"""
+
+
+@pytest.mark.parametrize(("delay", "is_proved"), [("1s..1s", True), ("1s..2s", False)])
+def test_a_run_keeps_what_is_assumed_where_no_deadline_passes(prove, delay: str, is_proved: bool) -> None:  # type: ignore[no-untyped-def]
+    """What goes over two agents takes two delays."""
+    found = verdict(prove, CROSS, f"assume network delay {delay} never c in First")
+    assert found == ("PROVED" if is_proved else "REFUTED")
+
+
+@pytest.mark.parametrize(("most", "is_proved"), [("500ms", True), ("1500ms", False)])
+def test_a_wait_for_ever_keeps_what_is_assumed(prove, most: str, is_proved: bool) -> None:  # type: ignore[no-untyped-def]
+    text = """\
+system Ring
+message Bell { bool loud }
+topic t { signal Bell }
+srm one {
+  liveness { one = Sleep . [Ring] }
+  control one {
+    enter [Ring] :
+    enter [Ring] : after(1s)
+    enter Ring   : [outcome(Sleep) == good] / t.signal.Bell.loud = true; write_messages.t.signal.Bell
+    skip Ring    : else
+  }
+  activities { Sleep ends good }
+}
+srm two {
+  liveness { two = Doze . Open }
+  control two { enter Open : when [t.signal.Bell.loud] }
+}
+team T { a : one  b : two }
+"""
+    done = prove(f'{text}property "it" {{ assume Sleep takes 0ms..{most}  never fault }}\n', "deadlock")
+    assert verdicts(done)["deadlock"] == ("UNDECIDED" if is_proved else "REFUTED"), done.out

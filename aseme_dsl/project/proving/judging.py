@@ -512,19 +512,19 @@ class Judge:
         expects: Sequence[str] = (),
     ) -> Result:
         """A run speaks against it, if it happens; it ends with one `round_` of what may repeat for ever."""
-        passes = any(step.passes for step in steps)
-        if passes and self._assumed.times:
-            why = f"abstract: the run that was found may not keep `{self._assumed.times[0]}`"
-            reason = f"{reason}; {why}" if reason else why
-            verdict = Verdict.UNDECIDED
-        else:
-            verdict = Verdict.REFUTED
         lines = tuple(step.text for step in steps) or ("at the start",)
-        found = self._result(name, verdict, reason, lines, item, item is None)
-        if verdict is not Verdict.REFUTED:
-            return replace(found, is_abstract=True)
+        found = self._result(name, Verdict.REFUTED, reason, lines, item, item is None)
         run = Run(f"{name} of {self._scope.what}", self._scope.team, further, expects)
-        return self._played(found, (*steps, *round_), run, item)
+        may_not = bool(self._assumed.times) and any(step.passes for step in steps)
+        if (
+            not may_not or not round_
+        ):  # whether a round can be made again and again, one of them does not show
+            played = self._played(found, (*steps, *round_), run, item)
+            if played.verdict is Verdict.REFUTED or not may_not:
+                return played
+        why = f"abstract: the run that was found may not keep `{self._assumed.times[0]}`"
+        reason = f"{reason}; {why}" if reason else why
+        return replace(found, verdict=Verdict.UNDECIDED, reason=reason, is_abstract=True)
 
     def _played(
         self,

@@ -675,8 +675,12 @@ class Explored:
 
     def _lasting(self, execution: Execution) -> Window | None:
         """When an activity ends, if that is assumed."""
-        takes = self._assumed.takes.get(execution.activity)
+        takes = self.lasts(execution)
         return None if takes is None else window(execution.started, *takes)
+
+    def lasts(self, execution: Execution) -> tuple[int, int | None] | None:
+        """How long an activity takes (ns), if that is assumed."""
+        return self._assumed.takes.get(execution.activity)
 
     def matters(self, agent: str, label: str) -> bool:
         """Whether a state of an agent matters to what is asked."""
@@ -717,11 +721,16 @@ class Explored:
 
     def _on_the_way(self, item: Underway) -> Window | None:
         """When a message comes, if that is assumed. The news of a loss takes any time."""
+        delay = self.on_the_way(item)
+        return None if delay is None else window(item.sent, *delay)
+
+    def on_the_way(self, item: Underway) -> tuple[int, int | None] | None:
+        """How long a message is on its way (ns), at the least and at the most, if that is assumed."""
         delay = self._assumed.delay
         if delay is None or (item.kind == "mail" and letter_of(item) is None):
             return None
         repeats = self._assumed.loses and item.kind not in ("data", "radio")  # what is lost is sent again
-        return window(item.sent, delay[0], None if repeats else delay[1])
+        return delay[0], None if repeats else delay[1]
 
     def _times(self) -> Iterator[Move]:
         for timer in self.driver.timers:

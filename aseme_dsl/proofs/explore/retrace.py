@@ -214,6 +214,7 @@ class _Retrace:
                 aged = self._age(move)
                 if self._moments is None:
                     self._pend(move, aged)
+                    self._keep_assumed(move)
                 heard.clear()
                 explored.choices.heard = heard
                 explored.choices.follow(step.way)
@@ -238,6 +239,8 @@ class _Retrace:
         finally:
             explored.choices.heard = None
             clock.moment = NOW
+        if self._moments is None:
+            self._await_assumed()
         moments = found_for(len(steps), self._ties) if self._moments is None else self._moments
         if moments is None:
             raise NotRetraced("its times exclude each other")
@@ -500,6 +503,34 @@ class _Retrace:
             elif aged is None:
                 self._ties.append(just(self._step, origin, offset + duration))
 
+    def _keep_assumed(self, move: Move) -> None:
+        """A message takes as long, and an activity lasts as long, as is assumed."""
+        match move.kind:
+            case ("end", agent, label):
+                found = self._execution(agent, label)
+                since, bounds = found.started, self._explored.lasts(found)
+            case ("arrive", *_):
+                item = cast("Underway", _argument(move))
+                since, bounds = item.sent, self._explored.on_the_way(item)
+            case _:
+                return
+        if bounds is not None:
+            self._ties.append(Tie(self._step, _step_of(since), *bounds))
+
+    def _await_assumed(self) -> None:
+        """What is on its way at the end, and runs there, may still come in time."""
+        explored = self._explored
+        found = [(item.started, explored.lasts(item)) for item in explored.driver.running]
+        found += [
+            (item.sent, explored.on_the_way(item))
+            for waiting in explored.ways.ways.values()
+            for item in waiting
+            if item not in self._overtaken
+        ]
+        for since, bounds in found:
+            if bounds is not None and bounds[1] is not None:
+                self._ties.append(Tie(self._step, _step_of(since), 0, bounds[1]))
+
     def _tie_age(self) -> None:
         """What has come in this move is as old as was decided."""
         came = self._explored.came
@@ -585,6 +616,11 @@ class _Retrace:
                     if NOW - item.time < longest:
                         key = ("message", agent.name, channel, *map(str, item.identity))
                         yield ("time", agent.name, "signal", channel), self._origins[key], longest
+
+
+def _step_of(moment: int) -> int:
+    """The move in which a moment was read; the beginning, if none is known."""
+    return moment.step if isinstance(moment, _Marked) else 0
 
 
 def _argument(move: Move) -> object:
