@@ -367,3 +367,41 @@ scenario "it sees" {
     done = here("test", "good.aseme")
     assert done.code == 1
     assert "  with the row ball = false, expected = Walk" in done.out.splitlines(), done.out
+
+
+def test_who_answers_and_leaves_at_once_is_waited_for(here: Here, folder: Path) -> None:
+    """Its answer is still on its way when its part is over."""
+    text = """\
+system Market
+message Task { string id }
+aip call {
+  participant seller {
+    sends cfp Task
+    receives refuse Task
+    process = Announce . Collect+ . Choose
+  }
+  participant bidder [1..*] { sends refuse Task  receives cfp Task  process = Consider }
+  control seller {
+    enter  Collect+ : / send cfp Task { id = "t1" } to bidder
+    leave  Collect  : when [all_answered(bidder)]
+    repeat Collect  : refuse Task from bidder
+  }
+  control bidder {
+    enter Consider : cfp Task from seller
+    leave Consider : / send refuse Task { .. } to seller
+  }
+}
+srm desk  { plays call.seller  liveness { desk = seller } activities { Announce takes 1s  Collect takes 1s } }
+srm robot { plays call.bidder  liveness { robot = bidder } activities { Consider takes 1s  Choose takes 1s } }
+team T { shop : desk  r[1..3] : robot }
+scenario "slow" {
+  network delay 2s..2s
+  at 5900ms shop in Collect
+  never untaken Task by shop
+  by 6100ms shop in Choose
+  for 10s
+}
+"""
+    (folder / "a.aseme").write_text(text)
+    done = here("test", "a.aseme")
+    assert done.code == 0, done.out

@@ -126,16 +126,23 @@ class Losses:
     ) -> None:
         """A branch learns of a lost agent, if a transition waits for that or a condition counts its
         answers."""
-        if part in place.info.counts:
-            self._counting.settled(agent, place, part, who)
-        if part not in place.info.loses:
+        if part not in place.info.counts and part not in place.info.loses:
             return
-        give = partial(self._give, agent, place, name, who, part, reason)
+        give = partial(self._learn, agent, place, name, who, part, reason)
         links = self._links()
         if links is None or who not in self._agents:
             give()
         else:  # behind what it has sent before
             links.carry(who, agent.name, "mail", LOST, agent.identity(), give)
+
+    def _learn(
+        self, agent: Receiver, place: Participation, name: str, who: str, part: str, reason: Reason
+    ) -> None:
+        """What an agent has sent before has come: now it counts as one that answers no more, and is lost."""
+        if part in place.info.counts and place.conversation == name:
+            self._counting.settled(agent, place, part, who)
+        if part in place.info.loses:
+            self._give(agent, place, name, who, part, reason)
 
     def _give(
         self, agent: Receiver, place: Participation, name: str, who: str, part: str, reason: Reason
