@@ -21,7 +21,7 @@ from aseme_dsl.project.building.build import choose  # noqa: E402
 from aseme_dsl.project.building.project import compile_root  # noqa: E402
 from aseme_dsl.project.playing.operate import generate_version, loaded_for  # noqa: E402
 from aseme_dsl.proofs.explore.explored import Assumed, Explored  # noqa: E402
-from aseme_dsl.proofs.explore.search import Eyes, Limits, search  # noqa: E402
+from aseme_dsl.proofs.explore.search import Eyes, Graph, Limits, search  # noqa: E402
 from aseme_dsl.runtime.version.loading import Loaded  # noqa: E402
 
 
@@ -33,14 +33,22 @@ def roots(targets: list[Path]) -> Iterator[Path]:
 
 def explored(loaded: Loaded, role: str, seconds: float) -> str:
     """What the search of one role has found."""
-    eyes = Eyes()
     begun = process_time()
-    team = Explored(loaded, ((role, role),), Assumed(), [eyes])
-    graph = search(team, eyes, None, Limits(states=1_000_000, seconds=seconds))
+    graphs: list[Graph] = []
+    group, groups = 0, 1
+    while group < groups:
+        eyes = Eyes()
+        team = Explored(loaded, ((role, role),), Assumed(), [eyes], group=group)
+        graphs.append(search(team, eyes, None, Limits(states=1_000_000, seconds=seconds)))
+        group, groups = group + 1, team.groups
     took = process_time() - begun
-    end = "whole" if graph.cut is None else f"cut, {len(graph.edges)} states done"
+    states = sum(len(graph.parents) for graph in graphs)
+    moves = sum(graph.moves for graph in graphs)
+    done = sum(len(graph.edges) for graph in graphs)
+    end = "whole" if all(graph.cut is None for graph in graphs) else f"cut, {done} states done"
+    end += f", {groups} groups of regions" if groups > 1 else ""
     end += f"; left out: {team.left_out}" if team.left_out else ""
-    return f"{len(graph.parents):7} states {graph.moves:8} moves {took:7.2f} s  {end}"
+    return f"{states:7} states {moves:8} moves {took:7.2f} s  {end}"
 
 
 def main() -> int:

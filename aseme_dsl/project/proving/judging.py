@@ -215,10 +215,15 @@ class Judge:
         """How many groups of regions were to be explored one by one."""
         return self._explored.groups
 
+    @property
+    def is_apart(self) -> bool:
+        """Whether some regions stood still, as they do not matter to those that were explored."""
+        return self._explored.needed is not None
+
     def kept_alone(self) -> frozenset[str]:
         """The questions that the agent that was explored answers by itself: others change nothing."""
         explored, graph = self._explored, self._graph
-        if self._incomplete() or explored.others is None or explored.others.is_bounded:
+        if self._incomplete() or (explored.others is not None and explored.others.is_bounded):
             return frozenset()
         found = set[str]()
         if not any(item.kind in ("failure", "circling") for item in graph.sightings):

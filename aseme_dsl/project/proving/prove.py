@@ -292,7 +292,7 @@ class _Searching(Protocol):
         numbers: Sequence[float] | None = (),
         still: frozenset[str] = frozenset(),
         others: frozenset[str] = frozenset(),
-        group: int = 0,
+        group: int | None = None,
         before: Judge | None = None,
     ) -> Judge | None: ...
 
@@ -362,7 +362,9 @@ def among_others(
             break
         found.append(judge)
     bounds = [judge.bounds() for judge in found]
-    how = (EACH_ALONE, APART) if any(judge.groups > 1 for judge in found) else (EACH_ALONE,)
+    how = (EACH_ALONE,) if len(scope.team) > 1 else ()
+    if any(judge.is_apart for judge in found):
+        how = (*how, APART)
     for item in results:
         if item.name in left:
             parts = dict.fromkeys(part for some in bounds for part in some.parts)
@@ -432,12 +434,12 @@ def _searched(
     numbers: Sequence[float] | None = (),
     still: frozenset[str] = frozenset(),
     others: frozenset[str] = frozenset(),
-    group: int = 0,
+    group: int | None = None,
     before: Judge | None = None,
 ) -> Judge | None:
     """One search, with the judge of what it has found. With `about`, it is about that alone: what does not
     matter to it stands still. Then there is none if everything matters, unless `times` are measured. Nor is
-    there one among `others`, if that leaves something out.
+    there one among `others`, if that leaves something out, nor of the only `group` of one agent.
     `numbers`, `still`, `others`, `group`: see Explored. It is one of long runs if there were others `before`.
     Raises Unanswerable, if numbers may be any, and the team asks more of one than how it compares."""
     eyes = Eyes()
@@ -464,8 +466,10 @@ def _searched(
         return None
     if others and explored.left_out:
         return None
+    if group is not None and not others and explored.needed is None:
+        return None
     explored.hears = hears(script)
-    if about is not None or times is not None or others:
+    if about is not None or times is not None or group is not None:
         explored.judged.clear()  # such a search says nothing of messages that nothing takes
     if watch is not None:
         watch.begin(explored)

@@ -146,7 +146,7 @@ class Explored:
         numbers: Sequence[float] | None = (),
         still: frozenset[str] = frozenset(),
         others: frozenset[str] = frozenset(),
-        group: int = 0,
+        group: int | None = None,
     ) -> None:
         """`listeners` are given the lines of a trace. `further` objects belong to the state of the team;
         `layout` has the parts of these, and what of those is not keyed (see `Layout`). They ask for the
@@ -156,8 +156,8 @@ class Explored:
         there is one agent, and it says what comes to that. Where a few numbers do not stand for all, these
         `numbers` are tried, too; None: there is one that may be any, and nothing can be retraced.
         Agents that stand `still` begin, and make no move after that. It is not looked at what `others` do:
-        anything may come of them (see `Others`). Then groups of regions that do not depend on each other are
-        explored one by one; this is the one of this number."""
+        anything may come of them (see `Others`). With `group`, there is one agent, and groups of its regions
+        that do not depend on each other are explored one by one; this is the one of this number."""
         self.choices = Choices()
         self.still = still
         self._assumed = assumed
@@ -277,13 +277,22 @@ class Explored:
             coming.needed = needed_for(plans, asked, assumed.fails, coming.reaches, own)
         self.groups = 1
         """How many groups of regions there are."""
-        if self.others is not None:
+        if group is not None:
             (plan,) = (agent.plan for agent in self.agents)
-            needed = partial(needed_for, [plan], fails=assumed.fails, reaches=self._reaches_itself, own=own)
+            needed = partial(
+                needed_for,
+                [plan],
+                fails=assumed.fails,
+                reaches=self._reaches_itself,
+                own=own,
+                is_alone=True,
+            )
             if groups := groups_in(plan, needed):
                 self.groups, coming.needed = len(groups), groups[group]
         self.needed = coming.needed
         """The regions that matter, if not all do."""
+        if self.others is not None:
+            self.others.matters = self.matters
         self.ways.taken = self._is_taken
         self._relevant = {plan.name: Relevant(plan, kept) for plan in plans}
         self._alike = {plan.name: Alike(plan, kept) for plan in plans}
@@ -686,6 +695,18 @@ class Explored:
         """Whether a state of an agent matters to what is asked."""
         return self.needed is None or label in self.needed.states[self._roles[agent]]
 
+    def _may_pass(self, agent: Agent, item: Passing) -> bool:
+        """Whether it matters to what is asked that the time of something passes."""
+        match item.what:
+            case "state":
+                return self.matters(agent.name, item.name)
+            case "timer" if self.needed is not None:
+                regions = self.needed.regions[agent.role]
+                places = (place for place in item.place if isinstance(place, int))
+                return any(agent.chart.REGIONS[place] in regions for place in places)
+            case _:
+                return True
+
     def written(self, execution: Execution, *, is_end: bool) -> tuple[str, ...]:
         """The variables that an activity writes when it runs or ends, as its agent calls them."""
         agent = next(item for item in self.agents if item.name == execution.agent)
@@ -756,7 +777,7 @@ class Explored:
                     when = window(node.last_start, every, every)
                     yield Move(("pause", agent.name, label), text, do, agent.name, passes=True, window=when)
             for item in passing(agent.chart, self._ages[agent.role]):
-                if item.what == "state" and not self.matters(agent.name, item.name):
+                if not self._may_pass(agent, item):
                     continue
                 kind = ("time", agent.name, item.what, item.name)
                 text = f"{agent.name}: {_passed(agent.plan, item)}"

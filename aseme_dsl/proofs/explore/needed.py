@@ -5,8 +5,9 @@ A region that nothing depends on is left where it is: what it could do changes n
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import field
+from dataclasses import field, replace
 
 from aseme_dsl.proofs.explore.deciding.staging import published
 from aseme_dsl.records import dataclass
@@ -42,15 +43,20 @@ def needed_for(
     fails: Collection[str],
     reaches: Callable[[str, str, str], bool],
     own: Mapping[str, Collection[str]],
+    *,
+    is_alone: bool = False,
 ) -> Needed | None:
     """The regions that matter to a question, if not all do; None if all do, or if agents send agent messages.
+
+    Of an agent that `is_alone`, or among others that may say anything, regions do not depend on messages of
+    each other: each part in a protocol has its own conversation.
 
     An activity that has a deadline or is in `fails` matters wherever it is. `reaches` says whether what the
     first role publishes on a channel comes to the second one. What is published on the channels in `own`, by
     role, comes to the agent alone, whenever an activity that writes it is active. So one that never ends need
     not move.
     """
-    if any(info.sends or info.receives for plan in plans for info in plan.branches):
+    if not is_alone and any(info.sends or info.receives for plan in plans for info in plan.branches):
         return None
     search = _Search({plan.name: plan for plan in plans}, reaches, own)
     for plan in plans:
@@ -83,16 +89,37 @@ def needed_for(
 
 def groups_in(plan: Plan, needed: Callable[[Asked], Needed | None]) -> tuple[Needed, ...]:
     """What matters to each region of a role, where that is less than all; what is part of another is not
-    there. `needed` says what matters to a question."""
-    found: list[Needed] = []
+    there, and of copies of a part there is one. `needed` says what matters to a question."""
+    found: dict[frozenset[str], tuple[str, Needed]] = {}
     for region in plan.regions:
         group = needed(Asked({}, regions={plan.name: frozenset((region.label,))}))
         if group is None:
             return ()
-        found.append(group)
-    parts = [item.regions[plan.name] for item in found]
-    largest = {part: item for part, item in zip(parts, found, strict=True)}
-    return tuple(item for part, item in largest.items() if not any(part < other for other in parts))
+        found.setdefault(group.regions[plan.name], (region.label, group))
+    kinds: dict[object, Needed] = {}
+    for part, (label, group) in found.items():
+        if not any(part < other for other in found):
+            kinds.setdefault(_meaning(plan, label, part), group)
+    return tuple(kinds.values())
+
+
+def _meaning(plan: Plan, region: str, part: frozenset[str]) -> object:
+    """The same for the regions of an AND that are copies, and depend on none beside them: they differ in
+    nothing but their labels. `part` is all that matters to a region."""
+    if any(not (is_in(label, region) or is_in(region, label)) for label in part):
+        return part
+    label = re.compile(rf"(?<![0-9.]){re.escape(region)}(?![0-9])")
+    outside = [item for item in plan.transitions if not is_in(item.source, region)]
+    if any(label.search(repr((item.into, item.condition, item.actions))) for item in outside):
+        return part
+    inside = (
+        [replace(item, at="") for item in plan.states if is_in(item.label, region)],
+        [replace(item, at="", text="") for item in plan.transitions if is_in(item.source, region)],
+        [item for item in plan.regions if is_in(item.label, region)],
+        [item for item in plan.branches if is_in(item.label, region)],
+        [item for item in plan.variables if item.scope is not None and is_in(item.scope, region)],
+    )
+    return label.sub("", repr(inside)), plan.by_label[region].parent
 
 
 def region_of(plan: Plan, label: str) -> str:
@@ -140,22 +167,25 @@ class _Search:
                 if is_in(region.label, label):
                     self.add(plan, region.label)
 
-    def named(self, name: str) -> None:
-        """A variable or timer of any role."""
+    def named(self, name: str, *, is_whole: bool = False) -> None:
+        """A variable or timer of any role: those of all copies of a part, unless the name `is_whole`."""
+
+        def is_it(other: object) -> bool:
+            return other == name if is_whole else str(other).partition("@")[0] == name
+
+        plain = name.partition("@")[0]
         for plan in self.plans.values():
             for item in plan.transitions:
                 if any(
-                    action[0] in ("assign", "start_timer") and str(action[1]).partition("@")[0] == name
-                    for action in item.actions
+                    action[0] in ("assign", "start_timer") and is_it(action[1]) for action in item.actions
                 ):
                     self.add(plan, region_of(plan, item.source))
-            scopes = [
-                item.scope for item in plan.variables if item.name.partition("@")[0] == name and item.scope
-            ]
-            writers = {info.name for info in plan.activities if name in info.variables}
+            scopes = [item.scope for item in plan.variables if is_it(item.name) and item.scope]
+            writers = {info.name for info in plan.activities if plain in info.variables}
             for state in plan.states:
                 if state.activity is not None and (
-                    state.activity in writers or any(is_in(state.label, scope) for scope in scopes)
+                    (state.activity in writers and is_it(plan.variable_of(plain, state.label).name))
+                    or any(is_in(state.label, scope) for scope in scopes)
                 ):
                     self.add(plan, region_of(plan, state.label))
 
@@ -191,6 +221,9 @@ class _Search:
                     self._completion(plan, item.source)
             elif region in (region_of(plan, target) for target in item.targets):
                 self.add(plan, region_of(plan, item.source))
+        for info in plan.branches:  # what is said in a conversation matters to all of the part in it
+            if is_in(region, info.label) or region == region_of(plan, info.label):
+                self.states(plan, (info.label,))
         for state in plan.states:
             if state.arguments and region_of(plan, state.label) == region:
                 self._terms(plan, [term for _, term in state.arguments])
@@ -222,9 +255,7 @@ class _Search:
         for term in terms_in(terms):
             match term:
                 case ("variable", str() as name, *_):
-                    self.named(name.partition("@")[0])
-                case ("expired", str() as name):
-                    self.named(name)
+                    self.named(name, is_whole=True)
                 case ("member", _, str() as channel, *_):
                     self.reads[plan.name].add(channel)
                     self.channel(channel, plan.name)
@@ -233,7 +264,7 @@ class _Search:
                 case ("outcome", str() as name):
                     self.states(plan, _called(plan, name))
                 case _:
-                    pass
+                    pass  # a timer belongs to the region that asks for it
 
 
 def _signals(condition: object) -> Iterator[str]:

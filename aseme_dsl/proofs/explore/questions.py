@@ -13,7 +13,7 @@ from aseme_dsl.proofs.explore.search import CROSSED, NEW, Edge, Graph, Kind, Ste
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.agent.agent import Agent
 from aseme_dsl.runtime.team.ending import Waiting, waits_of
-from aseme_dsl.runtime.team.outside import wait_for_input
+from aseme_dsl.runtime.team.outside import Need, wait_for_input
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,7 +99,7 @@ def _waits(explored: Explored, graph: Graph, state: int, place: int, region: int
     is_over = leaf.type == "END" and leaf.parent == agent.chart.REGIONS[region]
     if is_over or any(item.waits for item in plan.activities if item.name == leaf.activity):
         return None
-    found = {other.name: waits_of(other) for other in explored.agents}
+    found = {other.name: tuple(_needed(explored, other)) for other in explored.agents}
     # What waits behind a part that has ended is the part.
     own = (label, leaf.parent) if leaf.type == "END" else (label,)
     mine = next((item for item, _ in found[agent.name] if item.state in own), None)
@@ -110,10 +110,15 @@ def _waits(explored: Explored, graph: Graph, state: int, place: int, region: int
         name: [replace(need, events=need.events - raised[name]) for item, need in own if not item.free]
         for name, own in found.items()
     }
-    # Regions that stand still while this group of them is explored may wait for something else.
-    if explored.needed is None and agent.name in wait_for_input(needs, explored.writers()):
-        return None
-    return mine
+    return None if agent.name in wait_for_input(needs, explored.writers()) else mine
+
+
+def _needed(explored: Explored, agent: Agent) -> Iterator[tuple[Waiting, Need]]:
+    """What an agent waits for, where that matters to what is asked."""
+    needed = explored.needed
+    for waiting, need in waits_of(agent):
+        if needed is None or waiting.state in needed.states[agent.role]:
+            yield waiting, need
 
 
 def stuck_alone(explored: Explored, graph: Graph) -> bool:

@@ -88,6 +88,9 @@ class Others:
         self.is_bounded = False
         """Whether one agent may have said the same twice at one moment, which is not looked at."""
 
+        self.matters: Callable[[str, str], bool] = lambda name, label: True
+        """Whether a state of the agent matters to what is asked: elsewhere, nothing comes."""
+
     agent: Agent
     """The only one that is explored."""
 
@@ -160,7 +163,7 @@ class Others:
             return
         branches = self._members.desks[self.agent.name].branches
         for label, place in () if self.paused[0] else branches.items():
-            if place.conversation is None and not place.suspended:
+            if place.conversation is None and not place.suspended and self._matters(place):
                 for other, info in self._opening(place.info):
                     for performative, message in dict.fromkeys(info.sends):
                         if (performative, message) in place.info.opens:
@@ -170,7 +173,7 @@ class Others:
                             yield Coming(kind, text, begin)
         if self.paused[0]:
             yield Coming(("continue",), f"{self.agent.name} continues", self.agent.begin)
-        if any(place.conversation is not None for place in branches.values()):
+        if any(place.conversation is not None and self._matters(place) for place in branches.values()):
             yield Coming(("other", "look"), f"{self.agent.name} looks for messages", self._look)
 
     def _look(self) -> None:
@@ -230,7 +233,7 @@ class Others:
             "invited": lambda chart, branch, part: self._count(branch, part, "invited"),
             "answered": lambda chart, branch, part: self._count(branch, part, "answered"),
             "all_answered": lambda chart, branch, part: self._decided(
-                ("all answered", branch, part), (False, True), f"all_answered({part}) is {{}}"
+                branch, ("all answered", branch, part), (False, True), f"all_answered({part}) is {{}}"
             ),
         }
 
@@ -274,7 +277,7 @@ class Others:
             return known
         place = self._members.desks[self.agent.name].branches.get(branch)
         senders = () if place is None else tuple(self._senders(place, kind))
-        if place is None or not senders:
+        if place is None or not senders or not self._matters(place):
             return ()
         taken = self._taken + len(chart.taken)
         is_passing = _is_passing(chart)
@@ -317,6 +320,9 @@ class Others:
         self._goes_on = True
         self._later.append((place, taken))
 
+    def _matters(self, place: Participation) -> bool:
+        return self.matters(self.agent.name, place.info.label)
+
     def _senders(self, place: Participation, kind: Kind) -> Iterator[str]:
         """Who may have sent a message of a kind."""
         conversation = self._members.of(place)
@@ -352,9 +358,12 @@ class Others:
         place = self._members.desks[self.agent.name].branches.get(branch)
         players = {} if place is None else dict(self._players(place.info))
         most = len({other.name for other, _ in players.get(participant, ())})
-        return self._decided((what, branch, participant), range(most + 1), f"{what}({participant}) is {{}}")
+        text = f"{what}({participant}) is {{}}"
+        return self._decided(branch, (what, branch, participant), range(most + 1), text)
 
-    def _decided(self, question: tuple[str, ...], answers: Sequence[int], text: str) -> int:
+    def _decided(self, branch: str, question: tuple[str, ...], answers: Sequence[int], text: str) -> int:
+        if not self.matters(self.agent.name, branch):
+            return answers[0]
         self._asked += 1
         return self._choices.of((*question, self._asked), answers, text, is_of_others=True)
 
