@@ -88,7 +88,7 @@ def needed_for(
 
 
 def groups_in(plan: Plan, needed: Callable[[Asked], Needed | None]) -> tuple[Needed, ...]:
-    """What matters to each region of a role, where that is less than all; what is part of another is not
+    """What matters to each region of a role, where that is less than all. What is part of another is not
     there, and of copies of a part there is one. `needed` says what matters to a question."""
     found: dict[frozenset[str], tuple[str, Needed]] = {}
     for region in plan.regions:
