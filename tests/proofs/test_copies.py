@@ -72,7 +72,7 @@ def compare(text: str) -> str:
         eyes = Eyes()
         beside = frozenset(other for other, _ in team if other != name)
         alone = Explored(loaded, team, Assumed(), [eyes], others=beside, group=0)
-        assert alone.groups == 1
+        assert len(alone.apart) == 1
         alone.judged.clear()
         graph = search(alone, eyes, None, Limits(MOST, 20.0))
         assert alone.others is not None

@@ -127,7 +127,7 @@ def alone(
         taken |= graph.taken.get("robot", set())
         waits = waits or stuck_alone(robot, graph)
         states += len(graph.parents)
-        number, groups = number + 1, robot.groups
+        number, groups = number + 1, max(1, len(robot.apart))
     return visited, taken, waits, states, groups
 
 

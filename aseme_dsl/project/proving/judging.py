@@ -25,6 +25,7 @@ from aseme_dsl.project.proving.watched import (
     unread_of,
 )
 from aseme_dsl.proofs.explore.explored import Assumed, Explored
+from aseme_dsl.proofs.explore.needed import Needed
 from aseme_dsl.proofs.explore.questions import Stuck, Untouched, around, stuck, stuck_alone, unmet, untouched
 from aseme_dsl.proofs.explore.retrace import renewals
 from aseme_dsl.proofs.explore.search import ENOUGH, Graph, Limits, Step, never_untaken
@@ -211,9 +212,9 @@ class Judge:
                 yield named(item)
 
     @property
-    def groups(self) -> int:
-        """How many groups of regions were to be explored one by one."""
-        return self._explored.groups
+    def apart(self) -> tuple[Needed, ...]:
+        """The groups of regions that are to be explored one by one, if there are some."""
+        return self._explored.apart
 
     @property
     def is_apart(self) -> bool:
@@ -521,9 +522,7 @@ class Judge:
         found = self._result(name, Verdict.REFUTED, reason, lines, item, item is None)
         run = Run(f"{name} of {self._scope.what}", self._scope.team, further, expects)
         may_not = bool(self._assumed.times) and any(step.passes for step in steps)
-        if (
-            not may_not or not round_
-        ):  # whether a round can be made again and again, one of them does not show
+        if not (may_not and round_):  # one round does not show whether more can be made
             played = self._played(found, (*steps, *round_), run, item)
             if played.verdict is Verdict.REFUTED or not may_not:
                 return played

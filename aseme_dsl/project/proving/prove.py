@@ -56,7 +56,7 @@ from aseme_dsl.project.proving.written import loaded_with_writes
 from aseme_dsl.proofs.explore.apart import first_of, groups_of
 from aseme_dsl.proofs.explore.deciding.order import Unanswerable
 from aseme_dsl.proofs.explore.explored import Assumed, Explored
-from aseme_dsl.proofs.explore.needed import Asked
+from aseme_dsl.proofs.explore.needed import Asked, Needed
 from aseme_dsl.proofs.explore.search import Eyes, Graph, Limits, search
 from aseme_dsl.proofs.explore.wandering.wander import wander
 from aseme_dsl.proofs.guide import Guide
@@ -293,6 +293,7 @@ class _Searching(Protocol):
         still: frozenset[str] = frozenset(),
         others: frozenset[str] = frozenset(),
         group: int | None = None,
+        apart: Sequence[Needed] = (),
         before: Judge | None = None,
     ) -> Judge | None: ...
 
@@ -380,22 +381,27 @@ def _each_alone(
     """The searches of one agent of each kind, by groups of its regions; None where something is left out."""
     for agent in {kinds[name]: name for name, _ in reversed(scope.team)}.values():
         others = frozenset(name for name, _ in scope.team if name != agent)
-        group, groups = 0, 1
-        while group < groups:
-            judge = purse.spend(_of_all_numbers, searched, scope, others, purse.of_one, group)
+        group, apart = 0, tuple[Needed, ...]()
+        while group == 0 or group < len(apart):
+            judge = purse.spend(_of_all_numbers, searched, scope, others, purse.of_one, group, apart)
             yield judge
-            group, groups = group + 1, 1 if judge is None else judge.groups
+            group, apart = group + 1, () if judge is None else judge.apart
 
 
 def _of_all_numbers(
-    searched: _Searching, scope: Scope, others: frozenset[str], limits: Limits, group: int
+    searched: _Searching,
+    scope: Scope,
+    others: frozenset[str],
+    limits: Limits,
+    group: int,
+    apart: Sequence[Needed],
 ) -> Judge | None:
     """A search of one agent, in which numbers may be any. If it asks more of one than how it compares, a few
     are tried; there is no answer if these do not stand for all."""
     try:
-        return searched(scope, None, limits, others=others, group=group, numbers=None)
+        return searched(scope, None, limits, others=others, group=group, apart=apart, numbers=None)
     except Unanswerable:
-        judge = searched(scope, None, limits, others=others, group=group)
+        judge = searched(scope, None, limits, others=others, group=group, apart=apart)
         return None if judge is None or judge.is_of_few else judge
 
 
@@ -435,12 +441,14 @@ def _searched(
     still: frozenset[str] = frozenset(),
     others: frozenset[str] = frozenset(),
     group: int | None = None,
+    apart: Sequence[Needed] = (),
     before: Judge | None = None,
 ) -> Judge | None:
     """One search, with the judge of what it has found. With `about`, it is about that alone: what does not
     matter to it stands still. Then there is none if everything matters, unless `times` are measured. Nor is
     there one among `others`, if that leaves something out, nor of the only `group` of one agent.
-    `numbers`, `still`, `others`, `group`: see Explored. It is one of long runs if there were others `before`.
+    `numbers`, `still`, `others`, `group`, `apart`: see Explored. It is one of long runs if there were others
+    `before`.
     Raises Unanswerable, if numbers may be any, and the team asks more of one than how it compares."""
     eyes = Eyes()
     watch = Watched(script) if script is not None and script.expectations else None
@@ -461,6 +469,7 @@ def _searched(
         still=still,
         others=others,
         group=group,
+        apart=apart,
     )
     if about is not None and explored.needed is None and times is None:
         return None

@@ -37,7 +37,7 @@ from aseme_dsl.proofs.explore.deciding.staging import (
 )
 from aseme_dsl.proofs.explore.deciding.values import Condition, Values
 from aseme_dsl.proofs.explore.memory import Memory, Picture
-from aseme_dsl.proofs.explore.needed import Asked, groups_in, needed_for
+from aseme_dsl.proofs.explore.needed import Asked, Needed, groups_in, needed_for
 from aseme_dsl.proofs.explore.on_the_way import Came, come, letter_of, sample_of
 from aseme_dsl.proofs.explore.reducing.alike import Alike
 from aseme_dsl.proofs.explore.reducing.spent import Spent
@@ -147,6 +147,7 @@ class Explored:
         still: frozenset[str] = frozenset(),
         others: frozenset[str] = frozenset(),
         group: int | None = None,
+        apart: Sequence[Needed] = (),
     ) -> None:
         """`listeners` are given the lines of a trace. `further` objects belong to the state of the team;
         `layout` has the parts of these, and what of those is not keyed (see `Layout`). They ask for the
@@ -157,7 +158,8 @@ class Explored:
         `numbers` are tried, too; None: there is one that may be any, and nothing can be retraced.
         Agents that stand `still` begin, and make no move after that. It is not looked at what `others` do:
         anything may come of them (see `Others`). With `group`, there is one agent, and groups of its regions
-        that do not depend on each other are explored one by one; this is the one of this number."""
+        that do not depend on each other are explored one by one; this is the one of this number. `apart` are
+        all of them, if they are known."""
         self.choices = Choices()
         self.still = still
         self._assumed = assumed
@@ -252,6 +254,7 @@ class Explored:
             (agent,) = self.agents
             self.others.meet(agent, [other for other in agents if other.name in others])
             self._of_others = self.others.channels(self.bus)
+        self._messages_of_others = frozenset(channel.rpartition(".")[2] for channel in self._of_others)
         self.coming = coming = Coming(
             self.agents,
             self.bus,
@@ -275,9 +278,9 @@ class Explored:
         own = {agent.role: coming.own(agent) for agent in self.agents}
         if asked is not None:
             coming.needed = needed_for(plans, asked, assumed.fails, coming.reaches, own)
-        self.groups = 1
-        """How many groups of regions there are."""
-        if group is not None:
+        self.apart = tuple(apart)
+        """The groups of regions that do not meet, if there are some."""
+        if group is not None and not self.apart:
             (plan,) = (agent.plan for agent in self.agents)
             needed = partial(
                 needed_for,
@@ -287,8 +290,9 @@ class Explored:
                 own=own,
                 is_alone=True,
             )
-            if groups := groups_in(plan, needed):
-                self.groups, coming.needed = len(groups), groups[group]
+            self.apart = groups_in(plan, needed)
+        if group is not None and self.apart:
+            coming.needed = self.apart[group]
         self.needed = coming.needed
         """The regions that matter, if not all do."""
         if self.others is not None:
@@ -375,7 +379,7 @@ class Explored:
         """Whether what others have published decides a question, or may be given to a function that does."""
         match question:
             case ("member", _, str() as message, _):
-                return any(channel.rpartition(".")[2] == message for channel in self._of_others)
+                return message in self._messages_of_others
             case ("function", *_):
                 return True
             case _:

@@ -14,6 +14,9 @@ def ahead(plan: Plan, label: str, goes: Callable[[Transition], bool], *, is_ente
     """
     todo = [(label, is_entered)]
     seen: set[tuple[str, bool]] = set()
+    lines: dict[str, list[Transition]] = {}
+    for item in plan.transitions:
+        lines.setdefault(item.source, []).append(item)
     while todo:
         label, is_entered = todo.pop()
         if (label, is_entered) in seen:
@@ -29,8 +32,8 @@ def ahead(plan: Plan, label: str, goes: Callable[[Transition], bool], *, is_ente
                 for child in plan.children(label)
                 if state.type == "AND" or child.type == "START"
             ]
-        for item in plan.transitions:
-            if item.source != label or item.kind != "external" or not goes(item):
+        for item in lines.get(label, ()):
+            if item.kind != "external" or not goes(item):
                 continue
             todo += [(other, True) for other in (item.target, *plan.entries_of(item))]
             if item.resume:

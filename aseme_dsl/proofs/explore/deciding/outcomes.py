@@ -13,6 +13,7 @@ from collections.abc import Callable, Container, Hashable, Iterable, Iterator, M
 from contextlib import suppress
 from dataclasses import field
 from functools import lru_cache
+from itertools import chain
 from types import CodeType, ModuleType
 from typing import TypeVar, cast
 
@@ -110,12 +111,12 @@ class Outcomes:
             if made == self._choices.made:  # nothing was decided meanwhile
                 self._results[place] = found
         # What was asked is only gone through where others may decide it.
-        asked = (question for items in found.values() for item in items for question in item)
+        asked = chain.from_iterable(item for items in found.values() for item in items)
         is_true = self._split(tuple(sorted(found, reverse=not self._is_quiet)), asked)
         group = found[is_true]
         if len(group) > MOST:
             parts = range(0, len(group), MOST)
-            begin = self._split(tuple(parts), (question for item in group for question in item))
+            begin = self._split(tuple(parts), chain.from_iterable(group))
             group = group[begin : begin + MOST]
         self._group = group
         return is_true
@@ -179,7 +180,7 @@ class Outcomes:
 
     def decided_by_others(self, asked: Iterable[Hashable]) -> bool:
         """Whether agents that are not explored decide something that was asked."""
-        return self.is_of_others is not None and any(map(self.is_of_others, asked))
+        return self.is_of_others is not None and any(map(self.is_of_others, dict.fromkeys(asked)))
 
     def _next(self, width: int) -> int:
         if self._place == len(self._script):
@@ -204,7 +205,7 @@ class Outcomes:
 
     def end(self, is_left: Callable[[Hashable], bool]) -> Iterator[tuple[Hashable, object]]:
         """One of what may be so is: the answers. Those to questions that are left, from now on, too."""
-        questions = dict.fromkeys(question for item in self._group for question in item if is_left(question))
+        questions = [*filter(is_left, dict.fromkeys(chain.from_iterable(self._group)))]
         if questions:
             ways = dict.fromkeys(
                 tuple((question, item[question]) for question in questions if question in item)
