@@ -88,7 +88,7 @@ def test_a_wait_that_the_others_end_is_none_for_ever(prove) -> None:  # type: ig
 
 def test_a_message_that_may_be_taken_once_the_others_move_does_not_wait_for_ever(prove, monkeypatch) -> None:  # type: ignore[no-untyped-def]
     def asked() -> str:
-        done = prove(COUNTED, "non-local choice", "--robots", "3", "--states", "250", "--json")
+        done = prove(COUNTED, "non-local choice", "--robots", "3", "--states", "350", "--json")
         return verdicts(done)["non-local choice"]
 
     assert asked() == "UNDECIDED"
