@@ -175,3 +175,24 @@ def test_what_each_agent_publishes_for_itself_is_its_own(prove) -> None:  # type
     found = asked(prove, text, "deadlock")
     assert found["verdict"] == "PROVED", found
     assert "each agent among others" in found["bounds"]
+
+
+def test_an_activity_that_writes_a_variable_of_a_part_may_stand_outside_of_it(prove) -> None:  # type: ignore[no-untyped-def]
+    """What copies of a part depend on is asked there, too, where the variable is not known."""
+    roles = """\
+srm seller {
+  plays sale.seller
+  liveness { seller = (sale.seller~)[3] }
+}
+srm buyer {
+  plays sale.buyer
+  liveness { buyer = (sale.buyer~)[2] || other~
+             other = Listen . Rest }
+  activities { Listen writes keen }
+}
+team Market { one : seller  two : buyer }
+"""
+    done = prove(GROUP + roles, "failures", "--robots", "2", "--states", "30")
+    (team,) = (line for line in done.out.splitlines() if " of team" in line)
+    assert team.startswith("PROVED    failures of team [1 seller, 1 buyer; ")
+    assert "regions that do not meet apart" in team

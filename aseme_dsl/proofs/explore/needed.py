@@ -180,12 +180,12 @@ class _Search:
                     action[0] in ("assign", "start_timer") and is_it(action[1]) for action in item.actions
                 ):
                     self.add(plan, region_of(plan, item.source))
-            scopes = [item.scope for item in plan.variables if is_it(item.name) and item.scope]
+            scopes = [item.scope for item in plan.variables if is_it(item.name)]
             writers = {info.name for info in plan.activities if plain in info.variables}
             for state in plan.states:
                 if state.activity is not None and (
-                    (state.activity in writers and is_it(plan.variable_of(plain, state.label).name))
-                    or any(is_in(state.label, scope) for scope in scopes)
+                    (state.activity in writers and (not is_whole or None in scopes))
+                    or any(scope is not None and is_in(state.label, scope) for scope in scopes)
                 ):
                     self.add(plan, region_of(plan, state.label))
 

@@ -87,7 +87,6 @@ class Others:
         """Those of some agents with which a move is not the same, if others have `come` in it."""
         self.is_bounded = False
         """Whether one agent may have said the same twice at one moment, which is not looked at."""
-
         self.matters: Callable[[str, str], bool] = lambda name, label: True
         """Whether a state of the agent matters to what is asked: elsewhere, nothing comes."""
 
