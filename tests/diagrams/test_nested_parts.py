@@ -127,6 +127,26 @@ def _moved(part: Part) -> Part:
     return replace(part, points=tuple(points) if part.is_head else (*part.points[:-1], points[-1]))
 
 
+def test_a_nested_part_is_drawn_where_its_letters_are_wider(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    fonts = Path("/usr/share/fonts/truetype/dejavu")
+    if not fonts.is_dir():
+        pytest.skip("the fonts of DejaVu are not installed: apt install fonts-dejavu-core")
+    settings = tmp_path / "fonts.conf"
+    settings.write_text(
+        f"<fontconfig><dir>{fonts}</dir><cachedir>{tmp_path}</cachedir></fontconfig>", encoding="utf-8"
+    )
+    (usual,) = nested(drawn(odd()))
+    monkeypatch.setenv("FONTCONFIG_FILE", str(settings))
+    chart = odd(ODD.replace("robot", "b0b0b"))  # a drawing that was made before is not made again
+    picture = drawn(chart)
+    assert faults(chart, picture) == []
+    (wide,) = nested(picture)
+    assert usual.inset is not None and wide.inset is not None
+    assert wide.inset.width > usual.inset.width
+
+
 def test_a_part_that_is_no_formula_is_drawn_nested_in_its_place() -> None:
     chart = odd()
     picture = drawn(chart)

@@ -26,7 +26,7 @@ _BESIDE = 40.0
 _STRAIGHT = 0.94
 """The cosine of the largest angle between a line and its head."""
 
-_OTHER_FONT = 0.06
+_OTHER_FONT = 0.18
 """By so much of its width a text may be wider in the font that Graphviz knows."""
 
 _SAID = 30
