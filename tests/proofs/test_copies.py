@@ -10,20 +10,25 @@ from __future__ import annotations
 import os
 import re
 from dataclasses import replace
+from operator import itemgetter
 from pathlib import Path
 from tempfile import TemporaryDirectory
+
+import pytest
 
 from aseme_dsl.project.building.build import choose
 from aseme_dsl.project.building.project import compile_root
 from aseme_dsl.project.playing.operate import generate_version, loaded_for
 from aseme_dsl.project.proving.scopes import scope_of
+from aseme_dsl.proofs.explore.deciding.lists import Lists
 from aseme_dsl.proofs.explore.explored import Assumed, Explored
 from aseme_dsl.proofs.explore.questions import stuck_alone
-from aseme_dsl.proofs.explore.search import Eyes, Limits, search
+from aseme_dsl.proofs.explore.search import Eyes, Graph, Limits, search
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.version.loading import Loaded
 from aseme_dsl.source import Source
 from tests.proofs.test_reductions import _stuck, random_texts
+from tests.proofs.test_symmetry import MARKET
 
 COPIES = int(os.environ.get("COPIES", "3"))
 FIRST = int(os.environ.get("COPIES_FIRST", "1"))
@@ -96,3 +101,37 @@ def test_one_of_two_copies_does_all_that_both_do() -> None:
         if "COPIES" in os.environ:
             print(FIRST + number, found, flush=True)
     assert compared
+
+
+SALE = (
+    MARKET.replace("message Offer", "message Item { int n }\nmessage Offer")
+    .replace("cfp Offer { price = 1.0 }", "cfp Item { n = 1 }")
+    .replace("cfp Offer", "cfp Item")
+)
+"""Only offers have prices."""
+NOTE = "    on    Note    : propose Offer o from buyer / heard = ranked(heard, sender(o), o.price)\n"
+
+
+def _sold(loaded: Loaded, team: tuple[tuple[str, str], ...]) -> tuple[bool, Graph]:
+    """Whether a seller may rank a buyer anywhere, and what it does among others."""
+    (_, role), *others = team
+    eyes = Eyes()
+    alone = Explored(loaded, team, Assumed(), [eyes], others=frozenset(map(itemgetter(0), others)), group=0)
+    alone.judged.clear()
+    return bool(alone.values.free[role]), search(alone, eyes, None, Limits(300, 20.0))
+
+
+def test_each_copy_ranks_agents_in_a_list_of_its_own(monkeypatch: pytest.MonkeyPatch) -> None:
+    market = doubled(SALE)
+    is_free, anywhere = _sold(*market)
+    monkeypatch.setattr(Lists, "free", lambda *_: frozenset[str]())
+    _, by_prices = _sold(*market)
+    assert is_free and len(anywhere.parents) < len(by_prices.parents)
+    assert anywhere.visited == by_prices.visited and anywhere.taken == by_prices.taken
+
+
+def test_two_lists_in_which_one_message_is_ranked_have_one_order() -> None:
+    text = SALE.replace("Call . Hear .", "Call . (Hear || Note) .").replace(
+        "    enter Serve ", f"{NOTE}    enter Serve "
+    )
+    assert not _sold(*doubled(text))[0]

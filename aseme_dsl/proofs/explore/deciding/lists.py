@@ -29,6 +29,8 @@ class Ranked:
     variable: str
     member: Place | None
     """The member of the message that the line takes which gives the number, if one does."""
+    branches: frozenset[str] = frozenset()
+    """The parts in protocols in which the line stands, by their labels."""
 
 
 class Lists:
@@ -112,13 +114,22 @@ class Lists:
         variable = whole[0] if len(whole) == 1 and whole[0] in self.names else ""
         parts = [info for info in self._plan.branches if is_in(item.source, info.label)]
         is_one = all(info.size_of(info.participant)[1] == 1 for info in parts)  # none else gets the message
+        branches = frozenset(info.label for info in parts)
         match term:
             case ("call", _, _, _, ("taken", tuple() as path)) if (
                 path and is_one and len(taken) == 1 and "" not in taken
             ):
-                return Ranked(term, item.source, variable, (taken.pop(), tuple(map(str, path))))
+                member = taken.pop(), tuple(map(str, path))
+                return Ranked(term, item.source, variable, member, branches)
             case _:
-                return Ranked(term, item.source, variable, None)
+                return Ranked(term, item.source, variable, None, branches)
+
+    def _are_apart(self, one: Ranked, two: Ranked) -> bool:
+        """Whether two calls rank no message both, at least not in two lists."""
+        if one.variable == two.variable:
+            return not self._plan.are_concurrent(one.source, two.source)
+        # Each conversation has messages of its own.
+        return bool(one.branches and two.branches) and not one.branches & two.branches
 
     def free(self, is_read: Callable[[Place], bool], is_given: Callable[[Place], bool]) -> frozenset[str]:
         """The function by which an agent may get any place in a list, if there is one. `is_read` says whether
@@ -126,8 +137,8 @@ class Lists:
         calls = self.ranked()
         numbers = (name for name, called in self._called.items() if called == "number_of")
         if (
-            len({item.variable for item in calls}) != 1
-            or any(self._plan.are_concurrent(one.source, two.source) for one in calls for two in calls)
+            not calls
+            or not all(self._are_apart(one, two) for one in calls for two in calls)
             or any(
                 not item.variable or item.member is None or is_read(item.member) or is_given(item.member)
                 for item in calls
