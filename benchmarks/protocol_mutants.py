@@ -45,7 +45,8 @@ from tests.support.model_mutants import KINDS, ModelMutant, in_turns, model_muta
 
 LIBRARY = ("propose", "request", "query")
 OWN = {"buy": BUY, "ask": LATE}
-HOUR = 3_600_000_000_000
+LENGTH = 600
+"""So many seconds a run lasts: more than all durations and delays of a conversation together."""
 RUNS = 60
 """So many runs with each of the two ways to draw durations."""
 
@@ -139,7 +140,7 @@ def scenario(chance: random.Random, scope: Scope, plans: Loaded, aip: Aip, text:
                 if other == part and re.search(rf"var {variable} *:.*// {activity}\b", text)
             )
             lines.append(f"  activity {activity} takes 0ms..{most[activity]}ms{sets}")
-    return f'scenario "{turn}" {{\n' + "\n".join(dict.fromkeys(lines)) + "\n  for 3600s\n}\n"
+    return f'scenario "{turn}" {{\n' + "\n".join(dict.fromkeys(lines)) + f"\n  for {LENGTH}s\n}}\n"
 
 
 def aip_part(agent: str, aip: Aip) -> str:
@@ -204,7 +205,8 @@ def seen_in(loaded: Loaded, script: object, seed: int, *, is_calm: bool) -> set[
             case "unexpected" if is_calm and not passed and record.get("performative") != "not_understood":
                 found.add("orphan messages")
 
-    played = play(loaded, script, seed, {}, lambda name: None, HOUR, listeners=[listen])  # type: ignore[arg-type]
+    most = LENGTH * 1_000_000_000
+    played = play(loaded, script, seed, {}, lambda name: None, most, listeners=[listen])  # type: ignore[arg-type]
     for state, item in zip(played.states, script.expectations, strict=True):  # type: ignore[attr-defined]
         if item.of and state.verdict is rules.Verdict.BROKEN:
             found.add(" ".join(item.span.text.split()).removeprefix("clause "))
