@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Container, Iterator, Mapping, Sequence
 from functools import cached_property
 
 from aseme_dsl.proofs.explore.alone import Alone
@@ -170,11 +170,13 @@ class Coming:
                     if content is not None:
                         yield agent.name, channel, content
 
-    def _stand(self, agent: Agent) -> None:
-        """Let a message stand for what may have come, or not."""
+    def _stand(self, agent: Agent, coming: Container[str]) -> None:
+        """Let a message stand for what may have come, or not, on the channels on which one may."""
         for channel in self.standing[agent.name]:
+            if channel not in coming:
+                continue
             boards = _boards(agent, channel)
-            if not self.may_come(agent, channel) or any(board.newest(channel) for board in boards):
+            if any(board.newest(channel) for board in boards):
                 continue
             is_own = bool(self.brief[agent.name][channel])
             content = self._contents.standing(agent.name, channel)
@@ -221,7 +223,11 @@ class Coming:
 
     def may_come(self, agent: Agent, channel: str) -> bool:
         """Whether a new message may come at this moment on a channel of `brief`."""
-        return channel in self.all_that_may_come(agent)
+        writers = self.brief[agent.name].get(channel)
+        if writers is None or agent.over or agent.down:
+            return False
+        by_label = agent.plan.by_label
+        return not writers or any(by_label[leaf].activity in writers for leaf in agent.chart.configuration())
 
     def all_that_may_come(self, agent: Agent) -> set[str]:
         """The channels of `brief` on which a new message may come at this moment."""
@@ -295,12 +301,14 @@ class Coming:
         for channel in brief:
             if channel not in coming:
                 continue
+            last = None
             for board in _boards(agent, channel):
                 item = board.newest(channel)
-                if item is not None and item.time == NOW:
+                if item is not None and item is not last and item.time == NOW:
                     self._later.forget(item.message)
+                last = item  # most boards have the same one
         if agent.chart.started and not (agent.over or agent.down):
-            self._stand(agent)
+            self._stand(agent, coming)
         self._fade(agent)
         self._unhear(agent)
 

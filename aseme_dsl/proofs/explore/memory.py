@@ -37,6 +37,7 @@ from aseme_dsl.proofs.timed.stamp import Stamp
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.board import Known, SavedBoard, whole
 from aseme_dsl.runtime.chart.chart import Chart
+from aseme_dsl.runtime.chart.inputs import Sample
 from aseme_dsl.runtime.chart.saving import NOTHING, Saved
 
 _PLAIN = (
@@ -153,8 +154,9 @@ _NAME = "@"
 """Stands before a name that is looked for, among those that count up."""
 _NOTHING = marshal.dumps((), 2)
 """The shape of what holds nothing."""
-_BOARDS = 10_000
-"""The shapes of so many boards are kept."""
+_SHAPES = 20_000
+"""So many shapes of messages and boards are kept."""
+_PARTS = attrgetter(*(item.name for item in fields(Sample)))
 _CHANGING = frozenset((_Kind.LIST, _Kind.DICT, _Kind.SET))
 
 
@@ -195,8 +197,8 @@ class Memory:
         self._same: tuple[type, ...] = ()
         self._mentions: dict[str, tuple[str, ...]] = {}
         """Which of these names are in texts, for those that were seen."""
-        self.boards: dict[int, tuple[Known, bytes, tuple[_Atom, ...] | None]] = {}
-        """The shapes of messages on boards, with their atoms, by the identities of the former."""
+        self.shapes: dict[int, tuple[object, bytes, tuple[_Atom, ...] | None]] = {}
+        """The shapes of messages and of all messages of boards, with their atoms, by their identities."""
 
     # ---- names -------------------------------------------------------------------------------
 
@@ -727,24 +729,36 @@ class _Keying:
 
     def _messages(self, held: Known) -> object:
         """The messages on a board; most of it is made once."""
-        known = self._memory.boards.get(id(held))
-        if known is None:
-            self._atoms = []
-            try:
-                shape = marshal.dumps(cast(Any, self._value(held.messages())), 2)
-                known = held, shape, tuple(self._atoms)
-            except _Depends:
-                known = held, b"", None
-            finally:
-                self._atoms = None
-            if len(self._memory.boards) > _BOARDS:
-                self._memory.boards.clear()
-            self._memory.boards[id(held)] = known
-        _, shape, atoms = known
+        shape, atoms = self._shaped(held, held.messages)
         found = None if atoms is None else self._found(atoms)
         if found is None:
             return self._value(held.messages())
         return (shape, found) if found else shape
+
+    def _shaped(self, whole: object, parts: Callable[[], object]) -> tuple[bytes, tuple[_Atom, ...] | None]:
+        """The shape and the atoms of what is never changed; they are made once."""
+        known = self._memory.shapes.get(id(whole))
+        if known is None:
+            outer, self._atoms = self._atoms, []
+            try:
+                shape = marshal.dumps(cast(Any, self._value(parts())), 2)
+                known = whole, shape, tuple(self._atoms)
+            except _Depends:
+                known = whole, b"", None
+            finally:
+                self._atoms = outer
+            if len(self._memory.shapes) > _SHAPES:
+                self._memory.shapes.clear()
+            self._memory.shapes[id(whole)] = known
+        return known[1], known[2]
+
+    def _sample(self, item: Sample) -> object:
+        """A message, which is the same one on most boards, with a slot for each of its atoms."""
+        shape, atoms = self._shaped(item, partial(_PARTS, item))
+        if self._atoms is None or atoms is None:
+            raise _Depends
+        self._atoms += atoms
+        return shape
 
     def _value(self, value: Any) -> object:
         kind = type(value)
@@ -754,6 +768,8 @@ class _Keying:
             return self._text(value)
         if kind is frozenset:
             return self._set(value) if value else ()
+        if kind is Sample and self._atoms is not None:
+            return self._sample(value)
         if kind is tuple:
             if len(value) == 2 and type(value[1]) is int and self._is_sender(value[0]):
                 self._mention(value[0])
