@@ -45,6 +45,8 @@ from tests.support.model_mutants import KINDS, ModelMutant, in_turns, model_muta
 
 LIBRARY = ("propose", "request", "query")
 OWN = {"buy": BUY, "ask": LATE}
+_TOGETHER = 200
+"""So many scenarios are in a file."""
 LENGTH = 600
 """So many seconds a run lasts: more than all durations and delays of a conversation together."""
 RUNS = 60
@@ -164,16 +166,19 @@ def faults_of(name: str, text: str, seed: int, number: int = RUNS) -> Faults:
         assert whole.system is not None
         package, _ = generate_version(whole.system, Path(folder) / "made", choose(whole.configuration))
         loaded = load_system(package)
-        ways = [
-            scenario(random.Random(f"{name}/{seed}/{turn}"), scope, loaded, aip, text, turn)
-            for turn in range(2 * number)
-        ]
-        file.write_text("\n".join((scope.root.text, *ways)))
-        scenarios = scenarios_of(inspect_files(file, None, options_of(whole.configuration)), {})
-        assert len(scenarios) == len(ways), "each scenario can be played"
-        for turn, item in enumerate(scenarios):
-            found.runs += 1
-            found.found.update(seen_in(loaded, item.scripts[0], turn, is_calm=turn % 2 == 0))
+        turns = range(2 * number)
+        for first in turns[::_TOGETHER]:
+            some = turns[first : first + _TOGETHER]
+            ways = [
+                scenario(random.Random(f"{name}/{seed}/{turn}"), scope, loaded, aip, text, turn)
+                for turn in some
+            ]
+            file.write_text("\n".join((scope.root.text, *ways)))
+            scenarios = scenarios_of(inspect_files(file, None, options_of(whole.configuration)), {})
+            assert len(scenarios) == len(ways), "each scenario can be played"
+            for turn, item in zip(some, scenarios, strict=True):
+                found.runs += 1
+                found.found.update(seen_in(loaded, item.scripts[0], turn, is_calm=turn % 2 == 0))
     return found
 
 
