@@ -13,6 +13,7 @@ import pytest
 from hypothesis import HealthCheck, settings
 from hypothesis.internal.conjecture import providers
 
+from tests.support.drawings import remember_drawings
 from tests.support.forgetting import forget_what_is_left
 from tests.support.lanes import IS_LONG
 from tests.support.surroundings import settle
@@ -31,6 +32,7 @@ Snapshot = Callable[[str | bytes, str], None]
 
 def pytest_sessionstart() -> None:
     settle()
+    remember_drawings()
     # Classes of thousands of generated modules stay: to look for cycles among them takes a tenth of the time.
     gc.set_threshold(100_000, 50, 100)
 
