@@ -230,6 +230,34 @@ def test_what_a_conversation_of_a_team_awaits_when_all_have_left_has_not_come(
     assert verdicts == {"team": "REFUTED", "protocol pair": "PROVED"}, done.out
 
 
+CROSSING = """\
+system Crossing
+message Press { bool on }
+topic button { signal Press from outside }
+srm lights {
+  var asked : bool = false
+  liveness { lights = (Cars . Gap . [Walk])~ || (Listen . Note)~ }
+  activities { Cars takes 10s  Gap takes 2s  Walk takes 5s  Listen waits  Note takes 100ms }
+  control lights {
+    enter Walk : [asked] / asked = false
+    skip  Walk : else
+    enter Note : when [button.signal.Press.on] / asked = true
+    repeat (Listen . Note) : [!asked]
+  }
+}
+team Street { one : lights }
+property "the lamp goes out" { every one in Note leads to not one in Note }
+"""
+
+
+def test_a_round_is_played_whose_activities_begin_in_another_order(here: Here, folder: Path) -> None:
+    """Who presses again meanwhile finds the lamp on: it goes out and on within one step."""
+    (folder / "a.aseme").write_text(CROSSING)
+    done = here("prove", "a.aseme", "the lamp goes out", "--save", "found.aseme", "--json")
+    assert [item["verdict"] for item in done.json["results"]] == ["REFUTED"], done.out
+    assert here("test", "found.aseme").code == 1
+
+
 def test_in_a_stepwise_scenario_nothing_ends_or_arrives_by_itself(here: Here, folder: Path) -> None:
     assert _played(here, folder, "stepwise", "at 60s one in Kick and two in Wait")[0] == 0
     lines = (

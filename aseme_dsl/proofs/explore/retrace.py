@@ -208,8 +208,7 @@ class _Retrace:
                 self._happenings.append([])
                 self._note_standing()
                 self._anew.clear()
-                moves = list(explored.moves())
-                move = moves[step.number]
+                move = step.among(list(explored.moves()))
                 self._kind = move.kind
                 aged = self._age(move)
                 if self._moments is None:

@@ -48,6 +48,14 @@ class Step:
     """With times: the number of the move, from which times are counted."""
     windows: tuple[Window, ...] = ()
     """With times: when it may be made."""
+    kind: Kind = ()
+    """That of the move; states that are the same may list their moves in another order."""
+
+    def among(self, moves: Sequence[Move]) -> Move:
+        """The move among those of a state."""
+        if self.number < len(moves) and moves[self.number].kind == self.kind:
+            return moves[self.number]
+        return next(move for move in moves if move.kind == self.kind)
 
 
 @dataclass(frozen=True, slots=True)
@@ -375,9 +383,8 @@ class Search:
             return
         text = "; ".join((move.text, *explored.choices.said))
         self._judge()
-        step = Step(
-            number, explored.choices.way(), text, move.passes or bool(explored.came and explored.came.least)
-        )
+        passes = move.passes or bool(explored.came and explored.came.least)
+        step = Step(number, explored.choices.way(), text, passes, kind=move.kind)
         target = self._note((state, step))
         self._look((state, step))
         if circling is not None:

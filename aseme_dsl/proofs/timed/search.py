@@ -216,7 +216,8 @@ class _Search:
             return
         text = "; ".join((move.text, *explored.choices.said))
         way = explored.choices.way()
-        step = Step(number, way, text, move.passes, explored.moved, (*windows, *explored.windows))
+        windows = (*windows, *explored.windows)
+        step = Step(number, way, text, move.passes, explored.moved, windows, move.kind)
         if self._wants_failures:
             seen = (Sighting(kind, text, (state, step)) for kind, text, _ in self._eyes.seen)
             graph.sightings += [item for item in seen if item.kind == "failure"]
