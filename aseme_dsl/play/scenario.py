@@ -265,14 +265,15 @@ class Does:
     """An activity of an agent acts, and ends if it `is_end`: with the outcome of `acting`, if it has one. Or
     it `fails`.
 
-    Before that, it takes agent messages, each given by its performative and type, and prepares contents.
+    Before that, it takes agent messages, each given by its performative and type, and signals, each given by
+    its channel alone; and it prepares contents.
     """
 
     agent: str
     acting: Acting
     is_end: bool
     prepares: tuple[Content, ...]
-    takes: tuple[tuple[str, str], ...]
+    takes: tuple[tuple[str | None, str], ...]
     sends: tuple[tuple[Content, str], ...] = ()
     """Agent messages, each to a participant."""
     fails: bool = False

@@ -176,8 +176,12 @@ class ByHand:
     def _do(self, context: Context, what: _Act) -> None:
         act = what.act
         for performative, message in act.takes:
-            if context.receive(performative, message) is None:
-                raise NotComputed(what.span, f"no {performative} {message} waits for it")
+            if performative is None:
+                taken, called = context.consume(message), message
+            else:
+                taken, called = context.receive(performative, message), f"{performative} {message}"
+            if taken is None:
+                raise NotComputed(what.span, f"no {called} waits for it")
         for name, value in act.acting.sets:
             context.set_variable(name, self._computed(value))
         for item in act.acting.writes:

@@ -258,6 +258,41 @@ def test_a_round_is_played_whose_activities_begin_in_another_order(here: Here, f
     assert here("test", "found.aseme").code == 1
 
 
+PICKS = """\
+system Picks
+message Job { int shelf }
+topic desk { signal Job from outside }
+srm picker {
+  liveness { picker = (Tidy . Fetch)~ }
+  activities { Tidy takes 5s reads desk.signal.Job  Fetch takes 10s }
+  control picker { enter Fetch : [desk.signal.Job.shelf > 0] }
+}
+team Shop { ann : picker }
+property "each job is fetched" { every ann has [desk.signal.Job.shelf > 0] leads to ann in Fetch }
+"""
+"""Who tidies may read the job itself: then it is gone when it has tidied."""
+
+
+@pytest.mark.parametrize(
+    ("text", "verdict"),
+    [
+        pytest.param(PICKS, "REFUTED", id="its code reads it"),
+        pytest.param(PICKS.replace("takes 5s reads", "takes 5s simulated reads"), "PROVED", id="no code"),
+        pytest.param(PICKS.replace("reads desk.signal.Job", ""), "PROVED", id="it may not read it"),
+        pytest.param(PICKS.replace("enter Fetch :", "enter Fetch : when"), "PROVED", id="a condition is first"),
+    ],
+)
+def test_an_activity_may_take_the_signal_that_a_condition_waits_for(
+    here: Here, folder: Path, text: str, verdict: str
+) -> None:
+    (folder / "a.aseme").write_text(text)
+    done = here("prove", "a.aseme", "each job is fetched", "--save", "found.aseme", "--json")
+    assert [item["verdict"] for item in done.json["results"]] == [verdict], done.out
+    if verdict == "REFUTED":
+        assert "ann does Tidy takes desk.signal.Job" in (folder / "found.aseme").read_text()
+        assert here("test", "found.aseme").code == 1
+
+
 def test_in_a_stepwise_scenario_nothing_ends_or_arrives_by_itself(here: Here, folder: Path) -> None:
     assert _played(here, folder, "stepwise", "at 60s one in Kick and two in Wait")[0] == 0
     lines = (

@@ -487,7 +487,10 @@ class _Lowering:
                 play.Content(message.what.text, self._members(message, is_content=True), message.span)
                 for message in event.prepares
             ),
-            tuple((performative.text, message.text) for performative, message in event.takes),
+            tuple(
+                (None if performative is None else performative.text, message.text)
+                for performative, message in event.takes
+            ),
             tuple((self._content(message), part.text) for message, part in event.sends),
             event.verb == "fails",
         )

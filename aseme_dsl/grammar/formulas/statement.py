@@ -752,7 +752,7 @@ def _does(reader: Reader, agent: tree.Name, verb: str) -> nodes.Does:
     sets: list[tuple[tree.Name, tree.Expression]] = []
     filled: dict[str, list[nodes.Filled]] = {"writes": [], "prepares": []}
     sends: list[tuple[nodes.Filled, tree.Name]] = []
-    takes: list[tuple[tree.Name, tree.Path]] = []
+    takes: list[tuple[tree.Name | None, tree.Path]] = []
     while reader.next in DONE:
         match str(reader.take()):
             case "sets":
@@ -760,7 +760,9 @@ def _does(reader: Reader, agent: tree.Name, verb: str) -> nodes.Does:
                 _need(reader, "=")
                 sets.append((name, operation(reader)))
             case "takes":
-                takes.append((_name(reader, Wanted.PERFORMATIVE), _path(reader, Wanted.MESSAGE)))
+                is_signal = is_word(reader.next) and "." in reader.next
+                performative = None if is_signal else _name(reader, Wanted.PERFORMATIVE)
+                takes.append((performative, _path(reader, Wanted.MESSAGE)))
             case "sends":
                 sent = _message(reader)
                 _need(reader, "to")

@@ -178,7 +178,7 @@ class Does:
     """`robot1 ends Grasp with slipped sets n = 3`, `robot1 does Look writes …`, `robot1 fails Kick`.
 
     `verb` is the word behind the agent. It `sends` agent messages, each to a participant. It
-    `takes` others, each given with its performative.
+    `takes` others, each given with its performative, and signals, which have none.
     """
 
     agent: Name
@@ -189,7 +189,7 @@ class Does:
     writes: tuple[Filled, ...]
     sends: tuple[tuple[Filled, Name], ...]
     prepares: tuple[Filled, ...]
-    takes: tuple[tuple[Name, Path], ...]
+    takes: tuple[tuple[Name | None, Path], ...]
     span: Span
 
 

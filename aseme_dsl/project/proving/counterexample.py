@@ -98,7 +98,7 @@ def _acts(item: Acts, types: Mapping[str, str]) -> Iterator[str]:
     if item.outcome is not None:
         yield f"with {item.outcome}"
     for performative, message in item.takes:
-        yield f"takes {performative} {message}"
+        yield f"takes {message}" if performative is None else f"takes {performative} {message}"
     for name, value in item.sets.items():
         if value is None:  # it is as absent as it was
             continue

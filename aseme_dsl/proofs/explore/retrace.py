@@ -75,7 +75,8 @@ class Acts:
     sends: list[tuple[str, Content, str]] = field(default_factory=list)
     """Agent messages: the performative, what it says, and the participant to which it goes."""
     prepares: list[Content] = field(default_factory=list)
-    takes: list[tuple[str, str]] = field(default_factory=list)
+    takes: list[tuple[str | None, str]] = field(default_factory=list)
+    """Agent messages, with their performatives, and signals, by their channels."""
 
 
 @dataclass(slots=True)
@@ -362,6 +363,9 @@ class _Retrace:
                 case ("read", str() as performative, str() as message, _):
                     if value and acts is not None:
                         acts.takes.append((performative, message))
+                case ("signal", str() as channel):
+                    if value and acts is not None:
+                        acts.takes.append((None, channel))
                 case ("content", str() as agent, _):
                     self._prepare(agent, Content("", whole=value))
                 case ("function", str() as agent, str() as name, str() as arguments):

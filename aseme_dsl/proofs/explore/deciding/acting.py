@@ -86,7 +86,7 @@ class Acting:
             for state in states
         )
         writes = any(self.matters(channel) and not self._is_new(agent, channel) for channel in info.writes)
-        return bool(sets or writes or sends)
+        return bool(sets or writes or sends or self._signals(execution))
 
     def written(self, agent: Agent, execution: Execution, *, is_end: bool) -> list[str]:
         """The variables that an activity writes when it runs or ends."""
@@ -128,6 +128,8 @@ class Acting:
         agent = cast("Agent", execution.owner.agent)
         info = execution.info
         self._read(agent, execution)
+        if not is_end:
+            self._take(execution)
         for channel in info.writes:
             if (is_end or not self._is_new(agent, channel)) and not self._stands(agent, channel):
                 self._publish(agent, execution, channel)
@@ -220,6 +222,20 @@ class Acting:
                 text = f"{execution.activity} takes {item.performative} {item.message}"
                 if self._choices.of(question, (True, None), text):
                     agent.requests.take_mail(execution, item.performative, item.message, item.sender)
+
+    def _signals(self, execution: Execution) -> list[str]:
+        """The signals that wait where the code of an activity may take them, before a condition sees them."""
+        info = execution.info
+        if info.simulated or info.waits:
+            return []
+        signals = (name for name in info.reads if name.split(".")[-2] == "signal")
+        return [name for name in signals if self._is_asked(name) and execution.board.waits(name)]
+
+    def _take(self, execution: Execution) -> None:
+        for channel in self._signals(execution):
+            text = f"{execution.activity} takes {channel.rpartition('.')[2]}"
+            if self._choices.of(("signal", channel), (None, True), text):
+                execution.take(channel, None)
 
     def prepared(self, agent: str, message: str) -> object:
         """What an activity has prepared for a message."""
