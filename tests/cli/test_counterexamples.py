@@ -265,21 +265,60 @@ topic desk { signal Job from outside }
 srm picker {
   liveness { picker = (Tidy . Fetch)~ }
   activities { Tidy takes 5s reads desk.signal.Job  Fetch takes 10s }
-  control picker { enter Fetch : [desk.signal.Job.shelf > 0] }
+  control picker { enter Fetch : [has(desk.signal.Job)] }
 }
 team Shop { ann : picker }
-property "each job is fetched" { every ann has [desk.signal.Job.shelf > 0] leads to ann in Fetch }
+property "each job is fetched" { every ann has [has(desk.signal.Job)] leads to ann in Fetch }
 """
 """Who tidies may read the job itself: then it is gone when it has tidied."""
+REPLACED = PICKS.replace("reads desk.signal.Job", "").replace(
+    "has(desk.signal.Job)", "desk.signal.Job.shelf > 0"
+)
+"""A job that comes later takes the place of one that waits."""
+TWICE = """\
+system Bell
+message Ring { int n }
+topic door { signal Ring from outside }
+srm host {
+  var heard : int = 0
+  liveness { host = Hear || (Cook . Rest . Open) }
+  activities { Hear waits  Cook takes 5s  Rest takes 5s  Open takes 1s }
+  control host {
+    on    Hear : when [has(door.signal.Ring) && heard < 2] / heard = heard + 1
+    enter Open : [has(door.signal.Ring)]
+  }
+}
+team Home { ann : host }
+property "who cooks hears one" { never (ann in Cook and ann has [heard > 1]) }
+"""
+"""One region hears each ring at once, the other one when it has cooked."""
+LINE = """\
+system Line
+message Job { int shelf }
+topic desk { signal Job queued from outside }
+srm picker {
+  var taken : int = 0
+  liveness { picker = Tidy . Look . Fetch }
+  activities { Tidy takes 5s  Look waits  Fetch takes 1s }
+  control picker {
+    on    Look  : when [has(desk.signal.Job) && taken < 2] / taken = taken + 1
+    enter Fetch : when [!has(desk.signal.Job) || taken == 2]
+  }
+}
+team Shop { ann : picker }
+property "one job" { never (ann in Fetch and ann has [taken > 1]) }
+"""
+"""It takes all jobs that wait when it has tidied, in one step."""
 
 
 @pytest.mark.parametrize(
     ("text", "verdict"),
     [
         pytest.param(PICKS, "REFUTED", id="its code reads it"),
-        pytest.param(PICKS.replace("takes 5s reads", "takes 5s simulated reads"), "PROVED", id="no code"),
         pytest.param(PICKS.replace("reads desk.signal.Job", ""), "PROVED", id="it may not read it"),
-        pytest.param(PICKS.replace("enter Fetch :", "enter Fetch : when"), "PROVED", id="a condition is first"),
+        pytest.param(
+            PICKS.replace("enter Fetch :", "enter Fetch : when"), "PROVED", id="a condition is first"
+        ),
     ],
 )
 def test_an_activity_may_take_the_signal_that_a_condition_waits_for(
@@ -291,6 +330,21 @@ def test_an_activity_may_take_the_signal_that_a_condition_waits_for(
     if verdict == "REFUTED":
         assert "ann does Tidy takes desk.signal.Job" in (folder / "found.aseme").read_text()
         assert here("test", "found.aseme").code == 1
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        pytest.param(REPLACED, "each job is fetched", id="it takes the place of the first"),
+        pytest.param(TWICE, "who cooks hears one", id="another region has taken the first"),
+        pytest.param(LINE, "one job", id="they queue"),
+    ],
+)
+def test_a_signal_comes_while_one_waits(here: Here, folder: Path, text: str, name: str) -> None:
+    (folder / "a.aseme").write_text(text)
+    done = here("prove", "a.aseme", name, "--save", "found.aseme", "--json")
+    assert [item["verdict"] for item in done.json["results"]] == ["REFUTED"], done.out
+    assert here("test", "found.aseme").code == 1
 
 
 def test_in_a_stepwise_scenario_nothing_ends_or_arrives_by_itself(here: Here, folder: Path) -> None:

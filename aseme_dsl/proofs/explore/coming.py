@@ -364,6 +364,38 @@ class Coming:
                 )
                 self._later.forget(item.message, kept)
 
+    def may_change(self, agent: Agent, channel: str) -> bool:
+        """Whether a message that comes from outside makes a difference. It takes the place of a signal that
+        waits, which may say anything itself."""
+        boards = _boards(agent, channel)
+        waiting = [board.newest(channel) if board.waits(channel) else None for board in boards]
+        return (
+            not waiting
+            or channel in self.queued[agent.name]
+            or any(
+                item is None or item.time != NOW or not self._later.is_open(item.message) for item in waiting
+            )
+        )
+
+    @cached_property
+    def queued(self) -> Mapping[str, tuple[str, ...]]:
+        """The inputs, by agent, of which several wait."""
+        return {
+            agent.name: tuple(
+                info.name
+                for info in agent.plan.channels
+                if info.queued and info.name in self.inputs[agent.name]
+            )
+            for agent in self._agents
+        }
+
+    def in_line(self, agent: Agent) -> int:
+        """How many messages of an input wait for an agent, at the most."""
+        return max(
+            (board.waits(name) for name in self.queued[agent.name] for board in _boards(agent, name)),
+            default=0,
+        )
+
     def give(self, agent: Agent, channel: str) -> None:
         """A message comes from outside."""
         for board in agent.chart.boards():

@@ -489,14 +489,15 @@ class Explored:
         return self.hears or (bool(self.judged) and not self.crashed)
 
     def longest(self) -> int:
-        """How many messages, at the most, are on their way from one agent to another that moves; of a topic,
-        each counts twice."""
-        weights = (
+        """How many messages, at the most, are on their way from one agent to another that moves, or wait in
+        line there from outside; of a topic, each counts twice."""
+        weights = [
             sum(1 if item.kind == "mail" else 2 for item in items)
             for (_, receiver), items in self.ways.ways.items()
             if receiver not in self.still
-        )
-        return max(weights, default=0)
+        ]
+        moving = (agent for agent in self.agents if agent.name not in self.still)
+        return max((*weights, *(2 * self.coming.in_line(agent) for agent in moving)), default=0)
 
     def invitations(self, agent: Agent) -> list[AclMessage]:
         """The agent messages that wait for a participant of an agent to be entered or free."""
@@ -802,8 +803,7 @@ class Explored:
                 kind = ("input", agent.name)
                 yield Move(kind, f"{agent.name} gets new inputs", agent.begin, agent.name, is_fair=False)
             for channel in self.coming.inputs[agent.name]:
-                boards = [board for board in agent.chart.boards() if board is not None]
-                if not self._is_new(agent, channel) and not any(board.waits(channel) for board in boards):
+                if not self._is_new(agent, channel) and self.coming.may_change(agent, channel):
                     is_kept = self.alone is not None and channel in self.alone.kept
                     do = partial(self._give_kept if is_kept else self.coming.give, agent, channel)
                     yield Move(

@@ -225,10 +225,7 @@ class Acting:
 
     def _signals(self, execution: Execution) -> list[str]:
         """The signals that wait where the code of an activity may take them, before a condition sees them."""
-        info = execution.info
-        if info.simulated or info.waits:
-            return []
-        signals = (name for name in info.reads if name.split(".")[-2] == "signal")
+        signals = (name for name in execution.info.reads if name.split(".")[-2] == "signal")
         return [name for name in signals if self._is_asked(name) and execution.board.waits(name)]
 
     def _take(self, execution: Execution) -> None:

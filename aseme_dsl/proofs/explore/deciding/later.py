@@ -78,6 +78,11 @@ class Later:
         self.decided.made += 1
         return self._open(kind, Content(self.decided.made, kind, tried, name, True), ())
 
+    def is_open(self, message: object) -> bool:
+        """Whether a message may still say anything."""
+        content = content_of(message)
+        return content is not None and all(key[0] != content.number for key in self.decided.values)
+
     def forget(self, message: object, kept: Container[Path] = ()) -> None:
         """What was decided of a message may be otherwise from now on, but for the members in `kept`."""
         content = content_of(message)
