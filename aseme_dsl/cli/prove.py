@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shlex
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -117,6 +118,8 @@ def command(
         print_json({"format": 1, "results": [item.as_json for item in found]})
     else:
         _show(found)
+        if hint := _more(found, target, budget, states):
+            click.echo(hint)
     code = 0 if saved is None else _save(found, saved, compiled.root, colour)
     if stories is not None:
         code = max(code, _draw(found, stories, colour))
@@ -167,6 +170,20 @@ def _show(found: tuple[Result, ...]) -> None:
         click.echo(item.text)
         for number, line in enumerate(item.counterexample, 1):
             click.echo(f"  {number:>3}  {line}")
+
+
+def _more(found: tuple[Result, ...], target: str, budget: int, states: int) -> str:
+    """How to ask for the first answer alone for which the search was cut, with more; empty if there is none."""
+    from aseme_dsl.project.proving.judging import CUT
+    from aseme_dsl.runtime.time.clock import at_text
+
+    first = next((item for item in found if CUT in item.reason), None)
+    if first is None:
+        return ""
+    is_time = not first.reason.endswith(" states")
+    more = f"--budget {at_text(5 * budget)}" if is_time else f"--states {5 * states}"
+    words = ["asemec", "prove", target, first.name]
+    return f"hint: asked for alone, with more, it may be decided: {shlex.join(words)} {more}"
 
 
 __all__ = ["command"]

@@ -35,6 +35,21 @@ property "at first" { no one in Go before 1s }
 """
 
 
+@pytest.mark.parametrize(
+    ("more", "said"),
+    [
+        (("--states", "5"), "asemec prove it.aseme deep --states 25"),
+        (("--budget", "100ms"), "asemec prove it.aseme deep --budget 0.5s"),
+    ],
+)
+def test_how_to_ask_for_one_answer_alone_is_said_once(
+    here: Here, folder: Path, more: tuple[str, str], said: str
+) -> None:
+    (folder / "it.aseme").write_text(COUNTING)
+    hints = [line for line in here("prove", "it.aseme", *more).out.splitlines() if line.startswith("hint: ")]
+    assert len(hints) == 1 and hints[0].endswith(f"it may be decided: {said}"), hints
+
+
 @pytest.mark.parametrize("asked", [(), ("deep", "at first", "deeper", "in time")])
 def test_no_question_is_left_without_time(here: Here, folder: Path, asked: tuple[str, ...]) -> None:
     (folder / "it.aseme").write_text(COUNTING)

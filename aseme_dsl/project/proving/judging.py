@@ -40,6 +40,7 @@ from aseme_dsl.runtime.time.clock import SECOND, readable
 from aseme_dsl.runtime.version.loading import Loaded
 from aseme_dsl.source import is_library_path
 
+CUT = "the search was cut after"
 _LONG = 3600 * SECOND
 """So long a scenario waits for what does not come (ns)."""
 _GAPS = (10**9, 10**8, 10**7, 10**6, 10**3, 0)
@@ -499,7 +500,7 @@ class Judge:
         if self._assumed.contradiction:
             return f"vacuous: {self._assumed.contradiction}"
         if self._graph.cut is not None:
-            return f"the search was cut after {self._graph.cut}"
+            return f"{CUT} {self._graph.cut}"
         if self._explored.values.computed:
             return f"the program computes with {', '.join(sorted(self._explored.values.computed))}"
         if self._explored.values.bounds:
