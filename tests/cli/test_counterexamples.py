@@ -347,6 +347,38 @@ def test_a_signal_comes_while_one_waits(here: Here, folder: Path, text: str, nam
     assert here("test", "found.aseme").code == 1
 
 
+LEAVES = """\
+system Leaves
+message Job { int number }
+aip talk {
+  participant boss { process = Ask . Wait }
+  participant hand [1..*] { process = Work }
+  control boss {
+    enter Wait : / send request Job { number = 1 } to hand
+    on    Wait : inform Job from hand
+    leave Wait : when [all_answered(hand)]
+  }
+  control hand { enter Work : request Job from boss  leave Work : / send inform Job { number = 1 } to boss }
+}
+srm chief { plays talk.boss  liveness { chief = boss } }
+srm helper {
+  plays talk.hand
+  liveness { helper = hand [> GoHome }
+  control helper { enter GoHome : evening }
+}
+team Office { ann : chief  bob, cem : helper }
+property "she goes on" { every ann in Ask leads to not ann in Ask and not ann in Wait }
+"""
+"""Where both have gone home before, nobody is asked: nothing comes, and nobody is lost."""
+
+
+def test_where_all_have_ended_nobody_is_asked(here: Here, folder: Path) -> None:
+    (folder / "a.aseme").write_text(LEAVES)
+    done = here("prove", "a.aseme", "she goes on", "--save", "found.aseme", "--json")
+    assert [item["verdict"] for item in done.json["results"]] == ["REFUTED"], done.out
+    assert here("test", "found.aseme").code == 1
+
+
 def test_in_a_stepwise_scenario_nothing_ends_or_arrives_by_itself(here: Here, folder: Path) -> None:
     assert _played(here, folder, "stepwise", "at 60s one in Kick and two in Wait")[0] == 0
     lines = (
