@@ -173,7 +173,7 @@ def _show(found: tuple[Result, ...]) -> None:
 
 
 def _more(found: tuple[Result, ...], target: str, budget: int, states: int) -> str:
-    """How to ask for the first answer alone for which the search was cut, with more; empty if there is none."""
+    """How to ask for the first answer alone for which the search was cut; empty if there is none."""
     from aseme_dsl.project.proving.judging import CUT
     from aseme_dsl.runtime.time.clock import at_text
 
