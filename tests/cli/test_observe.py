@@ -105,6 +105,32 @@ def verdicts(found: Any) -> list[tuple[str, str]]:
 # ---- traces --------------------------------------------------------------------------------------
 
 
+SHOP = """\
+system Shop
+message Lot { int price }
+aip sale {
+  participant seller { var high : int = 0  process = Call . Sell }
+  participant bidder { process = Bid }
+  control seller {
+    enter Call : / send cfp Lot { price = 1 } to bidder
+    enter Sell : propose Lot offer from bidder / high = offer.price
+  }
+  control bidder { enter Bid : cfp Lot from seller  leave Bid : / send propose Lot { price = 2 } to seller }
+}
+srm house { plays sale.seller  liveness { house = seller } }
+srm guest { plays sale.bidder  liveness { guest = bidder } }
+team Room { ann : house  bob : guest }
+property "sold" { never (ann in Sell and ann has [high == 0]) }
+"""
+
+
+def test_a_variable_of_a_participant_is_called_as_it_is_written(here: Here, folder: Path) -> None:
+    (folder / "shop.aseme").write_text(SHOP)
+    here("run", "shop.aseme", "-o", "out", "--for", "5s", "-q")
+    (found,) = [item for item in observed(here, "out")["statements"] if item["verdict"] == "undecided"]
+    assert found["reason"].startswith("it asks for the variable high, which"), found
+
+
 def test_a_trace_is_watched_as_the_run_was(run: list[str], here: Here) -> None:
     done = here("observe", "out")
     assert done.code == 1

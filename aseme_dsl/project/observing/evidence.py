@@ -100,7 +100,7 @@ def _inside(value: e.Value) -> str | None:
     for part in e.walk(value):
         match part:
             case e.VariableValue(name=name):
-                return f"the variable {name}"
+                return f"the variable {name.partition('@')[0]}"
             case e.Outcome(activity=activity):
                 return f"how {activity} has ended"
             case e.Expired(timer=timer):
