@@ -26,6 +26,10 @@ def without_clock(document: str) -> str:
     return _LATER.sub("", document)
 
 
+Played = list[list[tuple[str, ...]]]
+"""What was active after the start and each step, of each game."""
+
+
 def differences(recording: Recording, played: list[tuple[str, ...]]) -> list[str]:
     """What an engine did otherwise, after the start and after each step."""
     expected = [recording.first, *(step.active for step in recording.steps)]
@@ -90,7 +94,7 @@ def job(engine: str, recording: Recording) -> dict[str, Any]:
     return {"engine": engine, "config": made.config, "module": made.module, "steps": steps}
 
 
-def on_qt(recordings: Sequence[Recording]) -> list[list[tuple[str, ...]]]:
+def on_qt(recordings: Sequence[Recording]) -> Played:
     """What was active after the start and each step, in Qt's engine of SCXML (PyPI: PySide6)."""
     jobs = [job("scion", recording) for recording in recordings]
     script = Path(__file__).with_name("qt.py")
@@ -110,7 +114,7 @@ def on_qt(recordings: Sequence[Recording]) -> list[list[tuple[str, ...]]]:
     return found
 
 
-def on_node(jobs: Sequence[dict[str, Any]]) -> list[list[tuple[str, ...]]]:
+def _on_node(jobs: Sequence[dict[str, Any]]) -> Played:
     """What was active after the start and each step, of every job."""
     folder = packages(NODE)
     script = folder / "engines.cjs"
@@ -123,3 +127,12 @@ def on_node(jobs: Sequence[dict[str, Any]]) -> list[list[tuple[str, ...]]]:
         assert "error" not in played, played["error"]
         found.append([tuple(ids) for ids in played["active"]])
     return found
+
+
+JAVASCRIPT = ("scion", "xstate")
+
+
+def on_javascript(recordings: Sequence[Recording]) -> dict[str, Played]:
+    """Both engines, in one process: it takes longer to start it than to play."""
+    played = _on_node([job(engine, recording) for engine in JAVASCRIPT for recording in recordings])
+    return {engine: played[i * len(recordings) :][: len(recordings)] for i, engine in enumerate(JAVASCRIPT)}

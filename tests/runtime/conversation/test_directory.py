@@ -538,7 +538,7 @@ def test_the_white_pages() -> None:
 def test_it_is_the_same_in_real_time(ask: Generated) -> None:
     def look(context: Context, seen: list[Any]) -> Any:
         if not seen:
-            context.directory.register(Service("weather"), lease=2.0)
+            context.directory.register(Service("weather"), lease=0.4)
         return len(context.directory.search("ask.teller")), len(context.directory.search("weather"))
 
     code = looking(look)
