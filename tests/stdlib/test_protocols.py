@@ -18,7 +18,7 @@ from tests.diagrams.overlaps import overlaps
 from tests.runtime.playing import SECOND, Played, play
 from tests.stdlib.hostile import endings
 from tests.stdlib.library import PROTOCOLS, Act, Protocol, act, disagreement, generated, kind_of, protocol
-from tests.support.generated import generate
+from tests.support.generated import analysis_of, generate
 
 PICTURES = Path(__file__).parents[2] / "docs" / "pictures"
 LIMIT = 2 * 3600 * SECOND
@@ -259,7 +259,7 @@ def played(end: End) -> Played:
 @pytest.mark.parametrize("item", PROTOCOLS, ids=str)
 def test_two_lines_are_a_role(item: Protocol) -> None:
     """`plays X.y`, and its place in the formula."""
-    found = analyse(Source("team.aseme", item.text()))
+    found = analysis_of(item.text())
     assert found.diagnostics == (), render_text(found.diagnostics)
     assert found.system is not None
     used = {node.activity for chart in found.system.iacs for node in chart.states if node.activity}
@@ -280,7 +280,7 @@ def test_one_role_may_play_all_of_them() -> None:
         lines += [f"srm {role} {{", *plays, f"liveness {{ {role} = {formula.join(named)}{end} }} }}"]
     lines += ["srm middle { plays brokering.broker  liveness { middle = broker~ } }"]
     lines += ["team T { ann : boss  bob, cid : hand  dan : middle }"]
-    found = analyse(Source("all.aseme", "\n".join(lines)))
+    found = analysis_of("\n".join(lines))
     assert found.diagnostics == (), render_text(found.diagnostics)
     run = play("\n".join(lines), until=LIMIT)
     conversations = [record["conversation"] for record in run.of("conversation", what="open")]

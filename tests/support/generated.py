@@ -18,7 +18,7 @@ from typing import Any
 from aseme_dsl.amola.system import System
 from aseme_dsl.backends.backend import Backend, BackendOptions
 from aseme_dsl.backends.monas import BACKEND
-from aseme_dsl.compiler import analyse
+from aseme_dsl.compiler import Analysis, analyse
 from aseme_dsl.diagnostics import has_errors, render_text
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.plan import Plan
@@ -57,16 +57,21 @@ class Generated:
 
 def system_of(text: str, sources: Mapping[str, str] | None = None) -> System:
     """The system of a text that must compile."""
-    return _system_of(text, frozenset((sources or {}).items()))
-
-
-@lru_cache(maxsize=1000)
-def _system_of(text: str, sources: frozenset[tuple[str, str]]) -> System:
-    """A system does not change, and many tests, those of random charts above all, play the same texts."""
-    analysis = analyse(Source("test.aseme", text), sources=dict(sources) or None)
+    analysis = analysis_of(text, sources)
     assert not has_errors(analysis.diagnostics), "\n" + render_text(analysis.diagnostics)
     assert analysis.system is not None
     return analysis.system
+
+
+def analysis_of(text: str, sources: Mapping[str, str] | None = None) -> Analysis:
+    """What the compiler says of a text."""
+    return _analysis_of(text, frozenset((sources or {}).items()))
+
+
+@lru_cache(maxsize=1000)
+def _analysis_of(text: str, sources: frozenset[tuple[str, str]]) -> Analysis:
+    """It does not change, and many tests, those of random charts above all, play the same texts."""
+    return analyse(Source("test.aseme", text), sources=dict(sources) or None)
 
 
 def generate(text: str, sources: Mapping[str, str] | None = None, backend: Backend = BACKEND) -> Generated:
