@@ -16,6 +16,7 @@ from hypothesis.internal.conjecture import providers
 from tests.support.drawings import remember_drawings
 from tests.support.forgetting import forget_what_is_left
 from tests.support.lanes import IS_LONG
+from tests.support.libraries import remember_libraries
 from tests.support.surroundings import settle
 
 # How fast an example runs depends on the machine, so it decides no test. In CI the examples are the
@@ -33,6 +34,7 @@ Snapshot = Callable[[str | bytes, str], None]
 def pytest_sessionstart() -> None:
     settle()
     remember_drawings()
+    remember_libraries()
     # Classes of thousands of generated modules stay: to look for cycles among them takes a tenth of the time.
     gc.set_threshold(100_000, 50, 100)
 
