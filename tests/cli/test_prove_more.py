@@ -271,7 +271,7 @@ team T { one : robot  two : eye }
 
 def test_what_was_decided_of_messages_that_are_over_makes_no_states(prove) -> None:  # type: ignore[no-untyped-def]
     done = prove(PAIRS, "deadlock", "--json")
-    assert done.json["results"][0]["bounds"].endswith("72 states")  # 96 with what the first one said
+    assert done.json["results"][0]["bounds"].endswith("68 states")  # 96 with what the first one said
 
 
 def test_an_age_that_is_kept_is_not_explored(prove) -> None:  # type: ignore[no-untyped-def]

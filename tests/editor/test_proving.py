@@ -199,7 +199,7 @@ async def test_a_click_proves_and_the_counterexample_becomes_a_scenario(project:
     await click(project, "loan.aseme", QUESTIONS[2])
     assert (await lenses(project, "loan.aseme"))[QUESTIONS[2]].startswith("proving … (")
     title = await shown(project, "loan.aseme", QUESTIONS[2], is_verdict)
-    assert title == "PROVED · 1 borrower, 1 lender; any delay; 50 states"
+    assert title == "PROVED · 1 borrower, 1 lender; any delay; 44 states"
     assert (await lenses(project, "loan.aseme"))[QUESTIONS[1]] == "prove"
     (progress,) = project.client.progress_reports.values()
     assert [type(item) for item in progress][:1] == [lsp.WorkDoneProgressBegin]
