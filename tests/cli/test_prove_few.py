@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import re
 
+from aseme_dsl.project.proving import prove as prove_module
 from aseme_dsl.project.proving.judging import Judge
+from aseme_dsl.project.proving.prove import _searched
 from tests.cli.test_prove import verdicts
 
 SALE = """\
@@ -94,6 +96,22 @@ def test_a_message_that_may_be_taken_once_the_others_move_does_not_wait_for_ever
     assert asked() == "UNDECIDED"
     monkeypatch.setattr("aseme_dsl.project.proving.judging.Judge._sees_all", True)
     assert asked() == "REFUTED"
+
+
+def test_a_search_that_is_cut_leaves_half_of_the_budget_to_those_after_it(prove, monkeypatch) -> None:  # type: ignore[no-untyped-def]
+    lent: list[tuple[str, float]] = []
+
+    def searched(scope, script, limits, *, still=(), others=(), before=None, **how):  # type: ignore[no-untyped-def]
+        kind = "few" if still else "one" if others else "long" if before is not None else "all"
+        lent.append((kind, limits.seconds))
+        return _searched(scope, script, limits, still=still, others=others, before=before, **how)
+
+    monkeypatch.setattr(prove_module, "_searched", searched)
+    prove(SALE, "--robots", "3", "--states", "60", "--budget", "1000s")
+    kinds = dict(lent)
+    assert lent[0][0] == "all" and lent[0][1] < 501
+    assert {"all", "few", "one"} <= {*kinds}
+    assert kinds["few"] > 50 and kinds["one"] > 400
 
 
 def test_nothing_is_searched_twice_where_all_states_were_looked_at(prove) -> None:  # type: ignore[no-untyped-def]

@@ -165,7 +165,7 @@ def _explored(
             """The answer about failures, with times if it depends on them; so many questions come later."""
             if not (item.is_built_in and item.is_abstract and item.name == "failures"):
                 return item
-            judge = search_in(team, None, share(1 + later), times=Times(horizon))
+            judge = _in_parts(purse.part(1 + later), searched, team, None, times=Times(horizon))
             assert judge is not None
             return judge.failures()
 
@@ -174,15 +174,16 @@ def _explored(
         ) -> Answers | None:
             """The answers of one search, and of others in which numbers may be any, or more are tried; there
             are none as `_searched` says. `is_all`: also those to what is asked of every team."""
-            judge = search_in(team, script, share(parts), about=about)
+            lent = purse.part(parts)
+            judge = _in_parts(lent, searched, team, script, about=about)
             given = None if judge is None else judge.answers(is_all=is_all)
             if judge is not None and given is not None and is_all and judge.is_open:
-                more = among_others(purse, searched, team, given.results, asked, kinds)
+                more = among_others(lent, searched, team, given.results, asked, kinds)
                 given = replace(given, results=(*more,))
             if judge is None or given is None or not judge.is_of_few or given.is_decided:
                 return given
             try:
-                judge = search_in(team, script, share(parts), about=about, numbers=None)
+                judge = _in_parts(purse.part(parts), searched, team, script, about=about, numbers=None)
                 assert judge is not None
                 abstract = judge.answers(is_all=is_all)
             except Unanswerable:
@@ -190,21 +191,23 @@ def _explored(
             given, numbers = given.surer(abstract), judge.beside
             if given.is_decided or not any(item.is_abstract for item in abstract.results) or not numbers:
                 return given
-            judge = search_in(team, script, share(parts), about=about, numbers=numbers)
+            judge = _in_parts(purse.part(parts), searched, team, script, about=about, numbers=numbers)
             return given if judge is None else given.surer(judge.answers(is_all=is_all))
 
         found: dict[str, Result] = {}
         rest: list[Expectation] = []
         timed = [item for item in wanted if is_timed(item.rule)]
         untimed = [item for item in wanted if not is_timed(item.rule)]
-        purse = _Purse(limits, len(wanted) + others)
-        share, search_in = purse.share, partial(_in_parts, purse, searched)
+        questions = max(1, len(wanted) + others)
+        purse = _Purse(limits, limits.seconds / (2 * questions))  # half of an equal part at least
         if own_script is not None:
             for number, item in enumerate(untimed):
                 one = replace(own_script, expectations=(item,))
                 about = asked_by(one)
                 parts = len(untimed) - number + len(timed) + others
-                proved = purse.spend(by_pairs, scope, own_script, item, loaded, assumed, share(2 * parts))
+                proved = purse.spend(
+                    by_pairs, scope, own_script, item, loaded, assumed, purse.share(2 * parts)
+                )
                 if proved is not None:
                     found[named(item)] = proved
                     continue
@@ -227,8 +230,8 @@ def _explored(
         for number, item in enumerate(timed):
             assert script is not None
             one = replace(script, expectations=(item,))
-            limits_now = share(len(timed) - number + others)
-            judge = search_in(scope, one, limits_now, about=asked_by(one), times=Times(horizon))
+            lent = purse.part(len(timed) - number + others)
+            judge = _in_parts(lent, searched, scope, one, about=asked_by(one), times=Times(horizon))
             assert judge is not None
             found[named(item)] = next(judge.expected())
         yield from found.values()
@@ -248,34 +251,39 @@ def _explored(
 class _Purse:
     """The time of all searches of a scope. What becomes of their results takes none of it."""
 
-    def __init__(self, limits: Limits, questions: int) -> None:
+    def __init__(self, limits: Limits, least: float, lender: _Purse | None = None) -> None:
+        """What one search is allowed, with the seconds of all of them. A search gets the `least` seconds at
+        least, as those before it may take longer than their parts. The time is that of the `lender`, too."""
         self._limits = limits
+        self._least = least
         self._left = limits.seconds
-        self._last = 0.0
-        self._least = limits.seconds / (2 * max(1, questions))
-        """The part of a search at least, as a search may take longer than its part: half of an equal one."""
+        self._lender = lender
 
     def share(self, parts: float) -> Limits:
         """What is left, divided by so many: who needs less leaves more to those that come later."""
         return replace(self._limits, seconds=max(self._least, self._left / parts))
 
+    def part(self, parts: float) -> _Purse:
+        """The same for searches that belong together."""
+        return _Purse(self.share(parts), self._least, self)
+
     @property
     def of_one(self) -> Limits:
-        """A least part, for a search of one agent: its states are small, but each may have many moves."""
+        """All that is left, for a search of one agent: its states are small, but each may have many moves."""
         states = self._limits.states
-        return replace(self._limits, states=3 * states, moves=100 * states, seconds=self._least)
+        return replace(self.share(1), states=3 * states, moves=100 * states)
 
     def spend(self, search: Callable[P, T], *arguments: P.args, **named: P.kwargs) -> T:
         """What a search finds."""
         before = process_time()
         found = search(*arguments, **named)
-        self._last = process_time() - before
-        self._left -= self._last
+        self._pay(process_time() - before)
         return found
 
-    def rest(self, limits: Limits) -> Limits:
-        """What the last search has left of its part; half of a least part at least."""
-        return replace(limits, seconds=max(self._least / 2, limits.seconds - self._last))
+    def _pay(self, seconds: float) -> None:
+        self._left -= seconds
+        if self._lender is not None:
+            self._lender._pay(seconds)
 
 
 class _Searching(Protocol):
@@ -298,12 +306,17 @@ class _Searching(Protocol):
     ) -> Judge | None: ...
 
 
+_OF_ALL = 2
+"""A search of all agents gets this part of the time, if others may come after it."""
+_LAST = 5
+"""So many parts of the time are left to those of one agent each, behind the long runs."""
+
+
 def _in_parts(
     purse: _Purse,
     searched: _Searching,
     scope: Scope,
     script: Script | None,
-    limits: Limits,
     *,
     about: Asked | None = None,
     times: Times | None = None,
@@ -323,19 +336,21 @@ def _in_parts(
         search = partial(searched, about=about, times=times, numbers=numbers, still=still, before=before)
         return purse.spend(search, scope, script, limits)
 
-    judge = search_one(limits)
-    if judge is None or times is not None or numbers != () or not judge.is_open:
+    few = () if times is not None or numbers != () else tuple(first_of(scope.team))
+    is_only = not few and (times is not None or numbers != () or about is not None)
+    judge = search_one(purse.share(1 if is_only else _OF_ALL))
+    if judge is None or is_only or not judge.is_open:
         return judge
-    for names in first_of(scope.team):
-        limits = purse.rest(limits)
+    last = 0 if about is not None else 1 + _LAST
+    for number, names in enumerate(few):
         still = frozenset(name for name, _ in scope.team if name not in names)
-        part = search_one(limits, still)
+        part = search_one(purse.share(len(few) - number + last), still)
         assert part is not None
         judge.parts = (*judge.parts, part)
         if part.has_all:
             return judge
     if about is None and not judge.has_enough(Graph(), judge.left(Graph())):
-        part = search_one(purse.rest(limits), before=judge)
+        part = search_one(purse.share(last), before=judge)
         assert part is not None
         judge.parts = (*judge.parts, part)
     return judge
