@@ -671,7 +671,15 @@ NEVER = TransitionExpression(when=True, condition=Literal(False, BOOL, Span(Sour
 
 def operands(value: Value) -> tuple[Value, ...]:
     """The parts that a value is computed from, from left to right."""
-    match value:
+    if type(value) in _WITHOUT_PARTS:  # most are: each pattern would be tried
+        return ()
+    match value:  # the most frequent first
+        case Compare(left=left, right=right) | Arithmetic(left=left, right=right):
+            return (left, right)
+        case Logic(operands=parts):
+            return parts
+        case Not(operand=operand) | Negate(operand=operand) | Holds(operand=operand):
+            return (operand,)
         case Call(arguments=arguments):
             return arguments
         case ListValue(elements=elements):
@@ -686,12 +694,6 @@ def operands(value: Value) -> tuple[Value, ...]:
             return (whole, *value.given)
         case NewMessage(given=given):
             return given
-        case Not(operand=operand) | Negate(operand=operand) | Holds(operand=operand):
-            return (operand,)
-        case Logic(operands=parts):
-            return parts
-        case Compare(left=left, right=right) | Arithmetic(left=left, right=right):
-            return (left, right)
         case Conditional(condition=condition, yes=yes, no=no):
             return (condition, yes, no)
         case At(message=message, offset=offset):
@@ -703,6 +705,22 @@ def operands(value: Value) -> tuple[Value, ...]:
         case Named(expression=expression):
             return (expression,)
     return ()
+
+
+_WITHOUT_PARTS = frozenset(
+    (
+        Literal,
+        EnumConstant,
+        VariableValue,
+        ParameterValue,
+        Member,
+        Bound,
+        Sender,
+        LossReason,
+        Expired,
+        Outcome,
+    )
+) | {Index, Random, StateValue, RoundValue}
 
 
 def _rebuilt(value: Value, parts: tuple[Value, ...]) -> Value:
