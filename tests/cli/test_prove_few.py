@@ -114,6 +114,19 @@ def test_a_search_that_is_cut_leaves_half_of_the_budget_to_those_after_it(prove,
     assert kinds["few"] > 50 and kinds["one"] > 400
 
 
+def test_first_agents_make_long_runs_where_those_of_all_do_not_come_far(prove, monkeypatch) -> None:  # type: ignore[no-untyped-def]
+    made: list[tuple[bool, bool]] = []
+
+    def searched(scope, script, limits, *, still=(), before=None, **how):  # type: ignore[no-untyped-def]
+        made.append((before is not None, bool(still)))
+        return _searched(scope, script, limits, still=still, before=before, **how)
+
+    monkeypatch.setattr(prove_module, "_searched", searched)
+    done = prove(SALE, "dead states", "--robots", "3", "--states", "12", "--json")
+    assert verdicts(done) == {"dead states": "PROVED"}
+    assert made[-2:] == [(True, False), (True, True)]
+
+
 def test_nothing_is_searched_twice_where_all_states_were_looked_at(prove) -> None:  # type: ignore[no-untyped-def]
     done = prove(HEARD, "deadlock", "--robots", "3")
     assert done.out.startswith("PROVED    deadlock of protocol news [1 speaker, 3 hearer; any delay; ")

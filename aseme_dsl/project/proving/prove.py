@@ -323,7 +323,8 @@ def _in_parts(
     numbers: Sequence[float] | None = (),
 ) -> Judge | None:
     """A search; if it was cut, then also some in which only the first agents of each role move, and long runs
-    of all, unless it is `about` one question.
+    of all, unless it is `about` one question. Where these leave something unreached, first agents make long
+    runs, too.
 
     Not with times: then agents have to move in time. Nor with further numbers: these are tried where all do.
     """
@@ -341,16 +342,20 @@ def _in_parts(
     judge = search_one(purse.share(1 if is_only else _OF_ALL))
     if judge is None or is_only or not judge.is_open:
         return judge
-    last = 0 if about is not None else 1 + _LAST
-    for number, names in enumerate(few):
-        still = frozenset(name for name, _ in scope.team if name not in names)
-        part = search_one(purse.share(len(few) - number + last), still)
+    stills = [frozenset(name for name, _ in scope.team if name not in names) for names in few]
+    runs = [] if about is not None else [frozenset[str](), *stills]
+    last = len(runs) + _LAST if runs else 0
+    for number, still in enumerate(stills):
+        part = search_one(purse.share(len(stills) - number + last), still)
         assert part is not None
         judge.parts = (*judge.parts, part)
         if part.has_all:
             return judge
-    if about is None and not judge.has_enough(Graph(), judge.left(Graph())):
-        part = search_one(purse.share(last), before=judge)
+    for number, still in enumerate(runs):
+        left = judge.left(Graph())
+        if judge.has_enough(Graph(), left) or (still and not left):
+            break
+        part = search_one(purse.share(last - number), still, before=judge)
         assert part is not None
         judge.parts = (*judge.parts, part)
     return judge
