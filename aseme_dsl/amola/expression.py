@@ -719,8 +719,12 @@ _WITHOUT_PARTS = frozenset(
         LossReason,
         Expired,
         Outcome,
+        Index,
+        Random,
+        StateValue,
+        RoundValue,
     )
-) | {Index, Random, StateValue, RoundValue}
+)
 
 
 def _rebuilt(value: Value, parts: tuple[Value, ...]) -> Value:

@@ -41,6 +41,7 @@ from aseme_dsl.runtime.version.loading import Loaded
 from aseme_dsl.source import is_library_path
 
 CUT = "the search was cut after"
+"""The reason of an answer for which a search was too short, before how long that was."""
 _LONG = 3600 * SECOND
 """So long a scenario waits for what does not come (ns)."""
 _GAPS = (10**9, 10**8, 10**7, 10**6, 10**3, 0)

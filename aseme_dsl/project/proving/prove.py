@@ -337,13 +337,13 @@ def _in_parts(
         search = partial(searched, about=about, times=times, numbers=numbers, still=still, before=before)
         return purse.spend(search, scope, script, limits)
 
-    few = () if times is not None or numbers != () else tuple(first_of(scope.team))
-    is_only = not few and (times is not None or numbers != () or about is not None)
-    judge = search_one(purse.share(1 if is_only else _OF_ALL))
-    if judge is None or is_only or not judge.is_open:
-        return judge
+    is_plain = times is None and numbers == ()
+    few = first_of(scope.team) if is_plain else ()
     stills = [frozenset(name for name, _ in scope.team if name not in names) for names in few]
-    runs = [] if about is not None else [frozenset[str](), *stills]
+    runs = [frozenset[str](), *stills] if is_plain and about is None else []
+    judge = search_one(purse.share(_OF_ALL if stills or runs else 1))
+    if judge is None or not judge.is_open:
+        return judge
     last = len(runs) + _LAST if runs else 0
     for number, still in enumerate(stills):
         part = search_one(purse.share(len(stills) - number + last), still)

@@ -223,11 +223,7 @@ class Coming:
 
     def may_come(self, agent: Agent, channel: str) -> bool:
         """Whether a new message may come at this moment on a channel of `brief`."""
-        writers = self.brief[agent.name].get(channel)
-        if writers is None or agent.over or agent.down:
-            return False
-        by_label = agent.plan.by_label
-        return not writers or any(by_label[leaf].activity in writers for leaf in agent.chart.configuration())
+        return channel in self.all_that_may_come(agent)
 
     def all_that_may_come(self, agent: Agent) -> set[str]:
         """The channels of `brief` on which a new message may come at this moment."""

@@ -157,6 +157,7 @@ _NOTHING = marshal.dumps((), 2)
 _SHAPES = 20_000
 """So many shapes of messages and boards are kept."""
 _PARTS = attrgetter(*(item.name for item in fields(Sample)))
+"""Gives what is in a message of a channel."""
 _CHANGING = frozenset((_Kind.LIST, _Kind.DICT, _Kind.SET))
 
 

@@ -125,7 +125,7 @@ class Lists:
                 return Ranked(term, item.source, variable, None, branches)
 
     def _are_apart(self, one: Ranked, two: Ranked) -> bool:
-        """Whether two calls rank no message both, at least not in two lists."""
+        """Whether two calls never rank the same message in two lists."""
         if one.variable == two.variable:
             return not self._plan.are_concurrent(one.source, two.source)
         # Each conversation has messages of its own.
