@@ -69,6 +69,13 @@ class System(Displayed):
         """Every statechart: protocols first, then roles."""
         return self.eacs + self.iacs
 
+    @property
+    def agents(self) -> dict[str, str]:
+        """The roles of the agents of all teams, by name; without a team, of one agent for each role, which is
+        called as it."""
+        agents = {agent.name: agent.role for team in self.teams for agent in team.agents}
+        return agents or {chart.name: chart.name for chart in self.iacs}
+
     def iac(self, role: str) -> Statechart | None:
         return next((chart for chart in self.iacs if chart.name == role), None)
 

@@ -145,8 +145,7 @@ def _contestant(target: str, folder: Path, as_json: bool, colour: str) -> Contes
     beside = Path(target).absolute().parent / "activities"
     is_alone = choice.activities is None and beside.is_dir()
     activities = beside if is_alone else activities_folder(home, choice).absolute()
-    roles = {agent.name: agent.role for agent in system.teams[0].agents}
-    return Contestant(Lineup(system.name, roles), package, activities, configuration.folder.resolve())
+    return Contestant(Lineup(system.name, system.agents), package, activities, configuration.folder.resolve())
 
 
 def _tell(names: tuple[str, str], found: Sequence[Played]) -> None:

@@ -183,7 +183,7 @@ def _more(found: tuple[Result, ...], target: str, budget: int, states: int) -> s
     is_time = not first.reason.endswith(" states")
     more = f"--budget {at_text(5 * budget)}" if is_time else f"--states {5 * states}"
     words = ["asemec", "prove", target, first.name]
-    return f"hint: asked for alone, with more, it may be decided: {shlex.join(words)} {more}"
+    return f"hint: to decide it, ask for it alone, with a larger limit: {shlex.join(words)} {more}"
 
 
 __all__ = ["command"]

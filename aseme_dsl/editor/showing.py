@@ -20,8 +20,9 @@ from aseme_dsl.editor.files.view import View
 from aseme_dsl.editor.proving.proofs import Answer, Proofs, Running, Text
 from aseme_dsl.editor.proving.questions import Question, digest, questions
 from aseme_dsl.editor.proving.settings import WrongSetting, read_settings
-from aseme_dsl.editor.proving.titles import addition, running_title, title_of
+from aseme_dsl.editor.proving.titles import running_title, title_of
 from aseme_dsl.editor.reading import reading
+from aseme_dsl.grammar.layout.adding import addition
 from aseme_dsl.grammar.parsing.parts import TooSlow
 from aseme_dsl.source import Span
 
@@ -104,7 +105,7 @@ class Showing:
                 continue
             if not (question.name.start <= end and start <= question.name.end):
                 continue
-            added = addition(text, answer.scenario)
+            added = addition(text, answer.scenario["roles"], answer.scenario["text"])
             if added is None:
                 continue
             source = texts.source(root, text)

@@ -372,6 +372,17 @@ class Given:
 
 
 @dataclass(frozen=True, slots=True)
+class Silent:
+    """A statement of the property of this name that says nothing of a team. `is_refused`: of none, otherwise
+    nobody that it speaks of takes part."""
+
+    name: str
+    span: Span
+    reason: str
+    is_refused: bool
+
+
+@dataclass(frozen=True, slots=True)
 class Script:
     """One way to play a scenario. `values` are those of a row of its table."""
 
@@ -397,6 +408,7 @@ class Script:
     stepwise: int | None = None
     """If it is played by hand, the moment until which it is: till then activities end and messages arrive
     only as the stimuli say."""
+    silent: tuple[Silent, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -453,6 +465,7 @@ __all__ = [
     "Scenario",
     "Script",
     "Share",
+    "Silent",
     "Stimulus",
     "Untaken",
     "ValueAssumed",

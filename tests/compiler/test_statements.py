@@ -198,6 +198,15 @@ def test_a_property_has_no_moments() -> None:
     assert problems("always robot3 in Search", "property") == [("E229", "robot3")]
 
 
+@pytest.mark.parametrize(
+    ("name", "hint"), [("robot1", "write `robot1 in Search`"), ("player", "write `player in Search`")]
+)
+def test_an_agent_or_a_role_is_no_participant(name: str, hint: str) -> None:
+    text = f'{MODEL}property "p" {{ never Search@{name} }}'
+    found = next(item for item in analyse(Source("pitch.aseme", text)).diagnostics if item.code[0] == "E")
+    assert (found.code, found.hint) == ("E229", hint)
+
+
 def test_the_role_of_an_agent_in_a_property_is_that_of_the_team() -> None:
     wrong = 'by 1s robot1 in Run\nrobot1 : playr\n}\nproperty "p" {\nalways robot1 has [tries < 3]'
     assert problems(wrong) == [("E229", "playr")]

@@ -77,17 +77,19 @@ def watched(
 ) -> play.Scenario:
     """What properties and clauses of files without errors say of a run of a team.
 
-    It is a scenario in which nothing is given; it may be refused.
+    It is a scenario in which nothing is given. If it is refused, it has a script of what is not.
     """
     check = Check(known, team, is_listed=False, is_broken=False, is_read=True)
     places = Places(charts, blocks, known.aliases)
     span = next((item.title.span for file in files for item in file.must_hold), Span(Source("", ""), 0, 0))
-    try:
-        lowering = _Lowering(check, places, span, {}, {})
-        script = lowering.script((), properties(files), may_fail=True)
-    except _NotPlayed as problem:
-        return play.Scenario("", span, (), problem.refused)
-    return play.Scenario("", span, (script,))
+    script = _Lowering(check, places, span, {}, {}).script((), properties(files), may_fail=True)
+    return play.Scenario("", span, (script,), _refused((script,)))
+
+
+def _refused(scripts: Iterable[play.Script]) -> play.Refused | None:
+    """Why what a property says is not watched."""
+    silent = (item for script in scripts for item in script.silent)
+    return next((play.Refused(item.span, item.reason) for item in silent if item.is_refused), None)
 
 
 def _scenario(
@@ -116,7 +118,7 @@ def _scenario(
         )
     except _NotPlayed as problem:
         return play.Scenario(name, title, (), problem.refused, points)
-    return play.Scenario(name, title, scripts, points=points, block=item.span)
+    return play.Scenario(name, title, scripts, _refused(scripts), points, item.span)
 
 
 # ---- one way to play a scenario ---------------------------------------------------------------------
@@ -137,6 +139,7 @@ class _Lowering:
     cuts: list[play.Cut] = field(default_factory=list)
     activities: dict[str, play.Acting] = field(default_factory=dict)
     assumptions: list[play.Assumption] = field(default_factory=list)
+    silent: list[play.Silent] = field(default_factory=list)
     network: Network | None = None
     """That of the run."""
 
@@ -191,6 +194,7 @@ class _Lowering:
             next((item.world for item in setups if item.word == "world"), None),
             tuple(self.assumptions),
             next((_until(item) for item in setups if item.word == "stepwise"), None),
+            tuple(self.silent),
         )
 
     def _constant(self, cell: tree.Expression, column: str) -> object:
@@ -207,10 +211,15 @@ class _Lowering:
         return play.Given(item.name.text, least, most, is_whole, item.span)
 
     def _always(self, name: str, item: nodes.Statement) -> None:
-        """What a property says of those that take part. It may say nothing in this run."""
+        """What a property says of those that take part. It may say nothing in this run, or be refused."""
         before = len(self.expectations)
-        with suppress(_NotThere):
+        try:
             self._statement(item, ())
+        except _NotPlayed as problem:
+            is_refused = not isinstance(problem, _NotThere)
+            if is_refused or not isinstance(item, nodes.AssumedSo):
+                span, reason = problem.refused.span, problem.refused.reason
+                self.silent.append(play.Silent(name, span, reason, is_refused))
         of = f'property "{name}"'
         self.expectations[before:] = [replace(new, of=of) for new in self.expectations[before:]]
 

@@ -794,7 +794,9 @@ class Check:
         if place.at is not None:
             process = self.known.processes.get(place.at.text)
             if process is None:
-                self._unknown(problems.NoParticipantInScenario, place.at, self.known.processes)
+                is_player = place.at.text in self.known.agents or model_name(place.at) in self.known.states
+                instead = f"{place.at.text} in {name.text}" if is_player else ""
+                self._unknown(problems.NoParticipantInScenario, place.at, self.known.processes, instead)
             elif name.text not in process:
                 self._unknown(problems.NoStateOfParticipant, name, process, place.at.text)
         elif name.text not in states:

@@ -69,9 +69,9 @@ class Answer:
 
 @dataclass(slots=True)
 class Known:
-    """What is known of one text: answers by name and team, and why questions have none."""
+    """What is known of one text: answers, and why questions have none."""
 
-    answers: dict[tuple[str, str], Answer] = field(default_factory=dict)
+    answers: list[Answer] = field(default_factory=list)
     problems: dict[str, str] = field(default_factory=dict)
     files: dict[str, tuple[int, int] | None] = field(default_factory=dict)
     is_all: bool = False
@@ -143,7 +143,7 @@ class Proofs:
         now = texts.get(digest)
         for known in (*([now] if now is not None else []), *reversed(texts.values())):
             is_current = known is now and known.is_current
-            answers = [item for item in known.answers.values() if _belongs(item, question)]
+            answers = [item for item in known.answers if _belongs(item, question)]
             problem = known.problems.get(question.key, "") if is_current else ""
             if answers or problem:
                 return answers, problem, is_current
@@ -221,9 +221,8 @@ class Proofs:
             return
         results, files = last.get("results"), last.get("files")
         assert isinstance(results, list) and isinstance(files, list)
-        for item in results:
-            answer = _answer(item)
-            known.answers[answer.name, answer.of] = answer
+        others = [item for item in known.answers if not _belongs(item, question)]
+        known.answers = [*others, *map(_answer, results)]
         known.files |= {
             path: _look(path)
             for path in map(str, files)

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import hashlib
-import re
 from collections.abc import Iterator
 
 from aseme_dsl.editor.files.program import Program
 from aseme_dsl.editor.files.view import View
+from aseme_dsl.grammar.layout.adding import bare
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
@@ -20,8 +20,6 @@ TEAM = "team"
 
 OF_A_RUN = "proved_"
 """How the names of roles begin that are there for a counterexample only."""
-
-_PIECE = re.compile(r'"(?:\\.|[^"\\\n])*"|//[^\n]*|/\*.*?\*/|\s+', re.DOTALL)
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,7 +44,7 @@ def questions(view: View) -> Iterator[Question]:
                 yield Question("all", (), (), span, view.whole(item.name.span))
             case tree.Team():
                 teams += 1
-                if teams == 1:  # others are not explored
+                if teams == 1:  # one answer for the agents of all
                     yield Question(TEAM, BUILT_IN, (TEAM,), span, view.whole(item.name.span))
             case tree.Property():
                 title = item.title.text
@@ -75,9 +73,4 @@ def digest(program: Program) -> str:
     return found.hexdigest()
 
 
-def bare(text: str) -> str:
-    """A text without comments, in one line."""
-    return _PIECE.sub(lambda found: found[0] if found[0].startswith('"') else " ", text).strip()
-
-
-__all__ = ["BUILT_IN", "OF_A_RUN", "TEAM", "Question", "bare", "digest", "questions"]
+__all__ = ["BUILT_IN", "OF_A_RUN", "TEAM", "Question", "digest", "questions"]

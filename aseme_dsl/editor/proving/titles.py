@@ -1,20 +1,16 @@
-"""Titles: what a verdict is called above the text, and what a counterexample becomes in a file."""
+"""Titles: what a verdict is called above the text."""
 
 from __future__ import annotations
 
-import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 from aseme_dsl.editor.proving.proofs import Answer
-from aseme_dsl.editor.proving.questions import Question, bare
-from aseme_dsl.grammar.layout import format_source
-from aseme_dsl.source import Source
+from aseme_dsl.editor.proving.questions import Question
 
 LONGEST = 100
 """The largest number of characters of a title."""
 
 _ORDER = ("REFUTED", "UNDECIDED", "PROVED")
-_TITLE = re.compile(r'scenario "((?:\\.|[^"\\])*)"')
 
 
 def title_of(question: Question, answers: Sequence[Answer], problem: str, is_current: bool) -> str:
@@ -49,28 +45,4 @@ def _cut(text: str) -> str:
     return text if len(text) <= LONGEST else f"{text[: LONGEST - 1]}…"
 
 
-def addition(text: str, scenario: Mapping[str, str]) -> str | None:
-    """What a file with a text gets at its end for a counterexample; None if it has that scenario already.
-
-    A title that is in use gets a number. Roles that are there already are not added again.
-    """
-    case = scenario["text"]
-    there = {found[1] for found in _TITLE.finditer(text)}
-    found = _TITLE.match(case)
-    assert found is not None
-    if bare(format_source(Source("case.aseme", case)).text) in bare(text):
-        return None
-    title, number = found[1], 2
-    while title in there:
-        title, number = f"{found[1]} {number}", number + 1
-    roles = [
-        line
-        for line in scenario["roles"].splitlines()
-        if not re.search(rf"\bsrm\s+{re.escape(line.split()[1])}\b", text)
-    ]
-    added = "".join(f"{line}\n" for line in roles) + f'scenario "{title}"{case[found.end() :]}'
-    between = "\n" if text.endswith("\n") or not text else "\n\n"
-    return between + format_source(Source("case.aseme", added)).text
-
-
-__all__ = ["addition", "running_title", "title_of"]
+__all__ = ["running_title", "title_of"]

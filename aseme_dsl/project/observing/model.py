@@ -31,9 +31,8 @@ class Model:
 
     @property
     def team(self) -> Team:
-        """The agents of its team; without one, an agent for each role."""
-        found = {agent.name: agent.role for team in self.system.teams[:1] for agent in team.agents}
-        return found or {chart.name: chart.name for chart in self.system.iacs}
+        """Its agents; without a team, one for each role."""
+        return self.system.agents
 
     @property
     def topics(self) -> frozenset[str]:

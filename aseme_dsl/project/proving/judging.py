@@ -13,13 +13,14 @@ from aseme_dsl.amola.system import System
 from aseme_dsl.play.scenario import Expectation, Untaken
 from aseme_dsl.project.proving.counterexample import Run
 from aseme_dsl.project.proving.replaying import played, written
-from aseme_dsl.project.proving.results import Bounds, Case, Result, Verdict
+from aseme_dsl.project.proving.results import Bounds, Case, Key, Result, Verdict
 from aseme_dsl.project.proving.scopes import PREFIX, Scope
 from aseme_dsl.project.proving.watched import (
     Watched,
     asks_for_more,
     conditions_in,
     is_timed,
+    key_of,
     left_out_of_times,
     named,
     unread_of,
@@ -114,7 +115,7 @@ class Answers:
     results: tuple[Result, ...]
     reached: Reached
     is_exact: bool
-    safe: frozenset[str]
+    safe: frozenset[Key]
 
     @property
     def is_decided(self) -> bool:
@@ -124,16 +125,16 @@ class Answers:
         """These, with what another search decides. Where that has ways that are of no run, it proves no more
         than what is not on any of them."""
         decided = {
-            item.name: item
+            item.key: item
             for item in other.results
             if item.verdict is Verdict.REFUTED
-            or (item.verdict is Verdict.PROVED and (other.is_exact or item.name in self.safe))
+            or (item.verdict is Verdict.PROVED and (other.is_exact or item.key in self.safe))
         }
         results = tuple(
-            decided.get(item.name, item) if item.verdict is Verdict.UNDECIDED else item
+            decided.get(item.key, item) if item.verdict is Verdict.UNDECIDED else item
             for item in self.results
         )
-        reached = other.reached if "dead states" in decided else self.reached
+        reached = other.reached if ("dead states", "") in decided else self.reached
         return replace(self, results=results, reached=reached)
 
 
@@ -172,11 +173,12 @@ class Judge:
         """All answers: what the document says, then what is asked of every team."""
         yield from self.expected()
         yield self._deadlock()
-        if any(agent.plan.branches for agent in self._explored.agents):
+        branches = [info for agent in self._explored.agents for info in agent.plan.branches]
+        if any(info.sends or info.receives for info in branches):
             yield self._answer(Judge._orphans)
             yield self._answer(Judge._choice)
-            if self._protocol is not None:
-                yield self._answer(Judge._agreement)
+        if self._protocol is not None:
+            yield self._answer(Judge._agreement)
         yield self._dead()
         yield self._answer(Judge._failures)
 
@@ -195,11 +197,11 @@ class Judge:
     def answers(self, *, is_all: bool) -> Answers:
         """The answers about what the document says; `is_all`: and to what is asked of every team."""
         results = tuple(self.results() if is_all else self.expected())
-        safe = frozenset(("failures", *self._safe()))
+        safe = frozenset((("failures", ""), *self._safe()))
         is_exact = all(item._explored.order.is_exact for item in (self, *self.parts))
         return Answers(results, self.reached, is_exact, safe)
 
-    def _safe(self) -> Iterator[str]:
+    def _safe(self) -> Iterator[Key]:
         """The expectations that ask for what happens on the way, and of which all witnesses were met."""
         if self._watch is None:
             return
@@ -211,7 +213,7 @@ class Judge:
                 and self._graph.met.issuperset(item.witnesses)
                 and not any(isinstance(condition, Untaken) for condition in asked)
             ):
-                yield named(item)
+                yield key_of(item)
 
     @property
     def apart(self) -> tuple[Needed, ...]:

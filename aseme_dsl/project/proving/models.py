@@ -11,7 +11,6 @@ from aseme_dsl import outside
 from aseme_dsl.compiler.phases import watched_of
 from aseme_dsl.diagnostics import Diagnostic
 from aseme_dsl.diagnostics.problems.exporting import NotInModel
-from aseme_dsl.play.scenario import Script
 from aseme_dsl.project.building.build import choose
 from aseme_dsl.project.building.project import Compiled, compile_root
 from aseme_dsl.project.playing.operate import generate_version
@@ -52,17 +51,21 @@ def _model(scope: Scope, compiled: Compiled) -> str:
     own = compiled if scope.protocol is None else compile_root(scope.root)
     if own.system is None:
         raise NotSaid("a participant that cannot be played alone", "")
-    watched = watched_of(own.inspection, dict(scope.team))
-    script: Script | None = None
-    if watched.refused is None and watched.scripts:
-        script = of_scope(watched.scripts[0], scope)
+    (watched,) = watched_of(own.inspection, dict(scope.team)).scripts
+    if scope.protocol is None:
+        agents = dict(scope.team)
+        for agent in (agent for team in own.system.teams for agent in team.agents):
+            if agent.name not in agents:
+                raise NotSaid(f"a second agent of the role {agent.role}", str(agent.span))
+        for item in watched.silent:
+            raise NotSaid(f"the property {item.name}: {item.reason}", str(item.span))
+    script = of_scope(watched, scope)
     with TemporaryDirectory(prefix="asemec-export-") as folder:
         package, _ = generate_version(own.system, Path(folder), choose(own.configuration))
         loaded = loaded_with_writes(package, own.system, compiled.configuration)
         plans = {role: loaded.charts[role].PLAN for _, role in scope.team}
-    expectations = [] if script is None else script.expectations
-    named = [(f"p{number}", item) for number, item in enumerate(expectations, 1)]
-    return promela(scope.what, scope.team, plans, () if script is None else script.conditions, named)
+    named = [(f"p{number}", item) for number, item in enumerate(script.expectations, 1)]
+    return promela(scope.what, scope.team, plans, script.conditions, named)
 
 
 def _span(at: str, root: Path | Source) -> Span | None:

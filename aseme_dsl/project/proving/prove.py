@@ -39,13 +39,14 @@ from aseme_dsl.project.proving.judging import (
     dead_states,
 )
 from aseme_dsl.project.proving.pairs import by_pairs, equal_in
-from aseme_dsl.project.proving.results import BUILT_IN, Bounds, Result, Verdict
-from aseme_dsl.project.proving.scopes import Scope, scopes_of
+from aseme_dsl.project.proving.results import BUILT_IN, Bounds, Key, Result, Verdict
+from aseme_dsl.project.proving.scopes import TEAM, Scope, scopes_of
 from aseme_dsl.project.proving.watched import (
     Watched,
     asked_by,
     hears,
     is_timed,
+    key_of,
     layout_of,
     messages_in,
     named,
@@ -71,6 +72,15 @@ EACH_ALONE = "each agent among others that may do anything"
 """What was explored to answer them."""
 APART = "regions that do not meet apart"
 """How, if it was done for groups of regions."""
+
+_EMPTY = "vacuous: there is no role and no protocol"
+_TALKLESS = "vacuous: no agent sends or takes a message of a protocol"
+_VACUOUS = {
+    "orphan messages": _TALKLESS,
+    "non-local choice": _TALKLESS,
+    "agreement": "vacuous: no protocol of the file has two outcomes with `when`",
+}
+"""Why there may be nothing to ask; for other questions, if there is nothing at all."""
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -106,10 +116,9 @@ def prove(
         if only and scope.what not in only:
             continue
         found += _explored(scope, compiled, limits, asked, known, told, horizon)
-        if scope.protocol is None:
-            found += _left_out(scope, compiled, found)
-            if asked and all(known.get(name, "").startswith("property") for name in asked):
-                break  # these are about the team
+        if asked and all(known.get(name, "").startswith("property") for name in asked):
+            break  # these are about the team, which comes first
+    found += _unsaid(compiled, asked, found, only)
     names = {*known, *(item.name for item in found)}
     missing = next((name for name in asked if name not in names), None)
     if missing is not None and not only:
@@ -140,17 +149,15 @@ def _explored(
         reason = f"it cannot be played alone: {wrong.message}"
         yield Result(scope.what, scope.what, Verdict.UNDECIDED, Bounds(scope.agents), reason)
         return
-    watched = watched_of(own.inspection, dict(scope.team))
-    script = watched.scripts[0] if watched.refused is None else None
-    own_script = None if script is None else of_scope(script, scope)
-    expected = () if own_script is None else own_script.expectations
-    known |= {named(item): item.of for item in expected}
-    wanted = [item for item in expected if not asked or named(item) in asked]
+    (script,) = watched_of(own.inspection, dict(scope.team)).scripts
+    own_script = of_scope(script, scope)
+    known |= {named(item): item.of for item in own_script.expectations}
+    wanted = [item for item in own_script.expectations if not asked or named(item) in asked]
     others = len(BUILT_IN) if not asked else len({*asked} & {*BUILT_IN})
     if not wanted and not others:
         return
     told(f"exploring the {scope.what}")
-    assumed = assumed_by(script.assumptions if script is not None else ())
+    assumed = assumed_by(script.assumptions)
     with TemporaryDirectory(prefix="asemec-prove-") as folder:
         package, _ = generate_version(own.system, Path(folder), choose(own.configuration))
         loaded = loaded_with_writes(package, own.system, compiled.configuration)
@@ -194,29 +201,26 @@ def _explored(
             judge = _in_parts(purse.part(parts), searched, team, script, about=about, numbers=numbers)
             return given if judge is None else given.surer(judge.answers(is_all=is_all))
 
-        found: dict[str, Result] = {}
+        found: dict[Key, Result] = {}
         rest: list[Expectation] = []
         timed = [item for item in wanted if is_timed(item.rule)]
         untimed = [item for item in wanted if not is_timed(item.rule)]
         questions = max(1, len(wanted) + others)
         purse = _Purse(limits, limits.seconds / (2 * questions))  # half of an equal part at least
-        if own_script is not None:
-            for number, item in enumerate(untimed):
-                one = replace(own_script, expectations=(item,))
-                about = asked_by(one)
-                parts = len(untimed) - number + len(timed) + others
-                proved = purse.spend(
-                    by_pairs, scope, own_script, item, loaded, assumed, purse.share(2 * parts)
-                )
-                if proved is not None:
-                    found[named(item)] = proved
-                    continue
-                answers = None if about is None else answered(scope, one, parts, about)
-                if answers is None:
-                    rest.append(item)
-                else:
-                    found |= {answer.name: answer for answer in answers.results}
-            own_script = replace(own_script, expectations=tuple(rest))
+        for number, item in enumerate(untimed):
+            one = replace(own_script, expectations=(item,))
+            about = asked_by(one)
+            parts = len(untimed) - number + len(timed) + others
+            proved = purse.spend(by_pairs, scope, own_script, item, loaded, assumed, purse.share(2 * parts))
+            if proved is not None:
+                found[key_of(item)] = proved
+                continue
+            answers = None if about is None else answered(scope, one, parts, about)
+            if answers is None:
+                rest.append(item)
+            else:
+                found |= {answer.key: answer for answer in answers.results}
+        own_script = replace(own_script, expectations=tuple(rest))
         has_more = others > 0
         is_whole = groups == [scope.team]
         if rest or (has_more and is_whole):
@@ -224,16 +228,15 @@ def _explored(
             now, later = (now + others, later) if is_whole else (now, later + others)
             answers = answered(scope, own_script, (now + later) / max(1, now), is_all=is_whole)
             assert answers is not None
-            found |= {item.name: with_times(item, scope, later) for item in answers.results}
-        timed = [item for item in wanted if asks_for_times(item, found.get(named(item)))]
+            found |= {item.key: with_times(item, scope, later) for item in answers.results}
+        timed = [item for item in wanted if asks_for_times(item, found.get(key_of(item)))]
         others = 0 if is_whole else others
         for number, item in enumerate(timed):
-            assert script is not None
             one = replace(script, expectations=(item,))
             lent = purse.part(len(timed) - number + others)
             judge = _in_parts(lent, searched, scope, one, about=asked_by(one), times=Times(horizon))
             assert judge is not None
-            found[named(item)] = next(judge.expected())
+            found[key_of(item)] = next(judge.expected())
         yield from found.values()
         if has_more and not is_whole:
             about_groups: list[Result] = []
@@ -374,7 +377,8 @@ def among_others(
     left = {
         item.name
         for item in results
-        if item.name in ALONE and item.verdict is Verdict.UNDECIDED and (not asked or item.name in asked)
+        if item.is_built_in and item.name in ALONE
+        if item.verdict is Verdict.UNDECIDED and (not asked or item.name in asked)
     }
     found: list[Judge] = []
     for judge in _each_alone(purse, searched, scope, kinds) if left else ():
@@ -387,7 +391,7 @@ def among_others(
     if any(judge.is_apart for judge in found):
         how = (*how, APART)
     for item in results:
-        if item.name in left:
+        if item.is_built_in and item.name in left:
             parts = dict.fromkeys(part for some in bounds for part in some.parts)
             states = sum(some.states or 0 for some in bounds)
             within = Bounds(scope.agents, (*parts, *how), states)
@@ -505,7 +509,8 @@ def _searched(
     wanted: tuple[int, ...] = ()
     if watch is not None:  # the number of the only one, or of those that were asked for
         wanted = (0,) if about is not None else watch.numbers_of(asked)
-    is_all = about is not None or 0 < len(asked) == len(wanted)
+    there = set() if script is None else {named(item) for item in script.expectations}
+    is_all = about is not None or (bool(asked) and {*asked} <= there)
     far = None if script is None or about is None else _guess(script, explored)
     if times is not None:
         watching = Watching()
@@ -540,25 +545,29 @@ def _guess(script: Script, explored: Explored) -> Callable[[], int] | None:
     return lambda: guide.far(explored.agents)
 
 
-def _left_out(scope: Scope, compiled: Compiled, found: Sequence[Result]) -> Iterator[Result]:
-    """The properties and clauses of the whole team of which a smaller one says nothing."""
+def _unsaid(
+    compiled: Compiled, asked: Sequence[str], found: Sequence[Result], only: Collection[str]
+) -> Iterator[Result]:
+    """What the team was not asked, with the reason: statements about agents that are left out, or of which
+    nobody takes part, and built-in questions that were `asked` for where there is nothing to ask."""
     assert compiled.system is not None
-    whole = {agent.name: agent.role for team in compiled.system.teams[:1] for agent in team.agents}
-    inspection = compiled.inspection
-    for team in (whole, dict(scope.team)):
-        watched = watched_of(inspection, team)
-        if watched.refused is not None:
-            reason, span = watched.refused.reason, watched.refused.span
-            yield Result(span.text, scope.what, Verdict.UNDECIDED, Bounds(scope.agents), reason, (), span)
-            return
-        for item in watched.scripts[0].expectations:
-            if item.of.startswith(GUARANTEE):
-                continue
-            if named(item) not in {other.name for other in found}:
-                reason = "it speaks of agents that are left out: raise --robots"
-                yield Result(
-                    named(item), scope.what, Verdict.UNDECIDED, Bounds(scope.agents), reason, (), item.span
-                )
+    if only and TEAM not in only:
+        return
+    agents = compiled.system.agents
+    bounds = Bounds(next((item.bounds.agents for item in found if item.of == TEAM), "no agent"))
+    answered = {item.key for item in found}
+    (script,) = watched_of(compiled.inspection, agents).scripts
+    raise_it = "it speaks of agents that are left out: raise --robots"
+    statements = [item for item in script.expectations if not item.of.startswith(GUARANTEE)]
+    unsaid = [(named(item), item.span, raise_it) for item in statements]
+    unsaid += [(item.name, item.span, item.reason) for item in script.silent]
+    for name, span, reason in unsaid:
+        if (name, str(span)) not in answered:
+            yield Result(name, TEAM, Verdict.UNDECIDED, bounds, reason, span=span)
+    names = {item.name for item in found}
+    for name in BUILT_IN:
+        if name in asked and name not in names:
+            yield Result(name, TEAM, Verdict.UNDECIDED, bounds, _VACUOUS.get(name, _EMPTY), is_built_in=True)
 
 
 def of_scope(script: Script, scope: Scope) -> Script:

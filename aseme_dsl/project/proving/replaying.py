@@ -64,7 +64,7 @@ def played(root: Path | Source, found: Replay, loaded: Loaded, of: Expectation |
     if wrong is not None:
         return replace(found, problem=f"{wrong.message}: `{_line(wrong.span)}`")
     scenario = scenarios_of(inspection, {})[-1]
-    if scenario.refused is not None:
+    if scenario.refused is not None and not scenario.scripts:  # otherwise that is a property
         return replace(found, problem=f"{scenario.refused.reason}: `{_line(scenario.refused.span)}`")
     (script,) = scenario.scripts
     kept = tuple(item for item in script.expectations if _is(item, of) or item.of.startswith(GUARANTEE))

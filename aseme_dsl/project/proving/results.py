@@ -9,6 +9,9 @@ from aseme_dsl.play.sight.story import Happened
 from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
+Key = tuple[str, str]
+"""What an answer is about: its name, and the place of the statement, as a property may have several."""
+
 BUILT_IN = ("deadlock", "orphan messages", "non-local choice", "agreement", "dead states", "failures")
 """The questions that are asked of every team, without being in a file."""
 
@@ -80,6 +83,10 @@ class Result:
     """Whether a run was found that may be none of a team."""
 
     @property
+    def key(self) -> Key:
+        return self.name, "" if self.span is None else str(self.span)
+
+    @property
     def text(self) -> str:
         """`PROVED  deadlock (protocol request): 1 initiator, 1 responder, 3366 states`."""
         place = f" ({self.span})" if self.span is not None else ""
@@ -100,4 +107,4 @@ class Result:
         }
 
 
-__all__ = ["BUILT_IN", "Bounds", "Result", "Verdict"]
+__all__ = ["BUILT_IN", "Bounds", "Case", "Key", "Result", "Verdict"]

@@ -8,24 +8,16 @@ from pathlib import Path
 
 from aseme_dsl import outside
 from aseme_dsl.diagrams.sequence.sequence_svg import drawn
-from aseme_dsl.grammar.layout import format_source
+from aseme_dsl.grammar.layout.adding import addition
 from aseme_dsl.project.proving.results import Case, Result
 from aseme_dsl.project.testing.story_pictures import diagram_of_story, file_names
-from aseme_dsl.source import Source
 
 
 def saved(results: Iterable[Result], path: Path, root: Path) -> str:
-    """What a file contains with the counterexamples behind what it has. A new file imports the `root`.
-
-    What is there already is not added again.
-    """
+    """What a file contains with the counterexamples behind what it has. A new file imports the `root`."""
     text = outside.read_text(path) if path.exists() else f'import "{_from(path, root)}"\n'
     for case in cases_of(results):
-        if f'scenario "{case.title}"' in text:
-            continue
-        roles = [line for line in case.roles.splitlines() if line.split("{")[0] not in text]
-        added = "".join(f"{line}\n" for line in roles) + case.text
-        text += "\n" + format_source(Source(str(path), added)).text
+        text += addition(text, case.roles, case.text) or ""
     return text
 
 

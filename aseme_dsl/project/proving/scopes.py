@@ -17,6 +17,10 @@ PREFIX = "proved_"
 """What stands before a participant in the name of the role that plays nothing else."""
 
 
+TEAM = "team"
+"""What the scope is called that is no protocol."""
+
+
 @dataclass(frozen=True, slots=True)
 class Scope:
     """A team to explore: `what` it is for readers, its source, and its agents with their roles."""
@@ -39,7 +43,7 @@ def scopes_of(root: Path | Source, system: System, robots: int) -> Iterator[Scop
     """The team, and each protocol of which the file itself tells."""
     team = _team(system, robots)
     if team:
-        yield Scope("team", root, team)
+        yield Scope(TEAM, root, team)
     names = frozenset(agent.name for item in system.teams for agent in item.agents)
     for aip in system.aips:
         if not is_library_path(aip.span.source.path):
@@ -92,17 +96,14 @@ def _count(part: Participant, robots: int) -> int:
 
 
 def _team(system: System, robots: int) -> tuple[tuple[str, str], ...]:
-    """The agents of the team, so many of each role that has several."""
-    agents = [(agent.name, agent.role) for team in system.teams[:1] for agent in team.agents]
-    if not agents:
-        agents = [(chart.name, chart.name) for chart in system.iacs[:1]]
+    """The agents of the system, so many of each role that has several."""
     counts: Counter[str] = Counter()
     kept = []
-    for name, role in agents:
+    for name, role in system.agents.items():
         counts[role] += 1
         if counts[role] <= robots:
             kept.append((name, role))
     return tuple(kept)
 
 
-__all__ = ["PREFIX", "Scope", "scope_of", "scopes_of"]
+__all__ = ["PREFIX", "TEAM", "Scope", "scope_of", "scopes_of"]

@@ -35,6 +35,7 @@ from aseme_dsl.play.scenario import (
     all_parts,
 )
 from aseme_dsl.play.sight.insight import Insight, Live
+from aseme_dsl.project.proving.results import Key
 from aseme_dsl.proofs.explore.alone import reads_of
 from aseme_dsl.proofs.explore.explored import Explored
 from aseme_dsl.proofs.explore.needed import Asked
@@ -366,6 +367,11 @@ def named(item: Expectation) -> str:
     if item.of.startswith("clause"):
         return " ".join(item.span.text.split()).removeprefix("clause ")
     return item.of.removeprefix("property ").strip('"')
+
+
+def key_of(item: Expectation) -> Key:
+    """That of the answer."""
+    return named(item), str(item.span)
 
 
 def asks_for_more(script: Script, item: Expectation) -> bool:

@@ -177,8 +177,15 @@ class NoStateOfParticipant(Absent):
 
 
 class NoParticipantInScenario(Absent):
+    """`instead`: how the state of an agent or a role of that name is written."""
+
     code = "E229"
     what = "there is no participant"
+    instead: str = ""
+
+    @property
+    def certain(self) -> str | None:
+        return f"write `{self.instead}`" if self.instead else super().certain
 
 
 class NoMessageInScenario(Absent):
