@@ -1,4 +1,4 @@
-"""Every statement and every agent of a system gets an answer of `asemec prove`, also if it is that there is none."""
+"""Each statement and each role of a system gets an answer of `asemec prove`, also if it is that there is none."""
 
 from __future__ import annotations
 
@@ -32,17 +32,18 @@ aip fetch {
 
 
 def answers(done: Done) -> list[tuple[str, str, str]]:
-    """(verdict, name, place) of what is no built-in question."""
+    """(verdict, name, place) of what the file says."""
     found = [
         (item["verdict"], item["name"], item["at"].partition(":")[2])
         for item in done.json["results"]
-        if item["at"] is not None
+        if item["at"] is not None and not item["name"].startswith("role ")
     ]
     return sorted(found)
 
 
 def test_each_statement_of_a_property_is_answered(prove: Callable[..., Done]) -> None:
-    team = 'team Walkers { ann : one }\nproperty "good" { never ann in Look  every ann in Look leads to ann in Walk }\n'
+    good = "never ann in Look  every ann in Look leads to ann in Walk"
+    team = f'team Walkers {{ ann : one }}\nproperty "good" {{ {good} }}\n'
     done = prove(ONE_TWO + team, "--json")
     assert answers(done) == [("PROVED", "good", "5:38"), ("REFUTED", "good", "5:19")]
     assert done.code == 1
@@ -116,6 +117,15 @@ def test_a_statement_about_nobody_is_undecided(prove: Callable[..., Done]) -> No
     done = prove(ONE_TWO + team.replace("  never ann in Rest", ""), "--json")
     (item,) = (item for item in done.json["results"] if item["name"] == "awake")
     assert (done.code, item["verdict"], item["reason"]) == (3, "UNDECIDED", "two does not take part")
+
+
+def test_a_role_of_no_agent_is_said_not_to_be_explored(prove: Callable[..., Done]) -> None:
+    team = "team Day { ann : one }\n"
+    done = prove(ONE_TWO + team, "--json")
+    (item,) = (item for item in done.json["results"] if item["name"] == "role two")
+    assert (done.code, item["verdict"]) == (0, "UNDECIDED")
+    assert item["reason"] == "it is not explored: no agent has this role"
+    assert len(prove(ONE_TWO + team, "deadlock", "--json").json["results"]) == 1
 
 
 def test_what_cannot_be_watched_hides_nothing_else(prove: Callable[..., Done]) -> None:

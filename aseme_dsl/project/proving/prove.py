@@ -65,6 +65,7 @@ from aseme_dsl.proofs.timed.search import Watching, search_with_times
 from aseme_dsl.runtime.monitor.rules import Never
 from aseme_dsl.runtime.trace.trace import Listener
 from aseme_dsl.runtime.version.loading import Loaded
+from aseme_dsl.source import Span
 
 ALONE = ("deadlock", "failures")
 """The questions that each agent can answer for itself."""
@@ -549,11 +550,13 @@ def _unsaid(
     compiled: Compiled, asked: Sequence[str], found: Sequence[Result], only: Collection[str]
 ) -> Iterator[Result]:
     """What the team was not asked, with the reason: statements about agents that are left out, or of which
-    nobody takes part, and built-in questions that were `asked` for where there is nothing to ask."""
-    assert compiled.system is not None
+    nobody takes part, built-in questions that were `asked` for where there is nothing to ask, and roles of
+    the file that no agent has."""
+    system = compiled.system
+    assert system is not None
     if only and TEAM not in only:
         return
-    agents = compiled.system.agents
+    agents = system.agents
     bounds = Bounds(next((item.bounds.agents for item in found if item.of == TEAM), "no agent"))
     answered = {item.key for item in found}
     (script,) = watched_of(compiled.inspection, agents).scripts
@@ -568,6 +571,15 @@ def _unsaid(
     for name in BUILT_IN:
         if name in asked and name not in names:
             yield Result(name, TEAM, Verdict.UNDECIDED, bounds, _VACUOUS.get(name, _EMPTY), is_built_in=True)
+    for chart in () if asked else system.iacs:
+        if chart.name not in agents.values() and _is_own(chart.span, system):
+            name, reason = f"role {chart.name}", "it is not explored: no agent has this role"
+            yield Result(name, TEAM, Verdict.UNDECIDED, bounds, reason, span=chart.span, is_built_in=True)
+
+
+def _is_own(span: Span | None, system: System) -> bool:
+    """Whether something stands in the file that declares the system."""
+    return span is not None and system.span is not None and span.source.path == system.span.source.path
 
 
 def of_scope(script: Script, scope: Scope) -> Script:
