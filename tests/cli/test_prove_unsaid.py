@@ -1,4 +1,4 @@
-"""Each statement and each role of a system gets an answer of `asemec prove`, also if it is that there is none."""
+"""`asemec prove` answers each statement, about all agents, or says why there is no answer."""
 
 from __future__ import annotations
 
