@@ -52,20 +52,20 @@ def _model(scope: Scope, compiled: Compiled) -> str:
     if own.system is None:
         raise NotSaid("a participant that cannot be played alone", "")
     (watched,) = watched_of(own.inspection, dict(scope.team)).scripts
-    if scope.protocol is None:
-        agents = dict(scope.team)
-        for agent in (agent for team in own.system.teams for agent in team.agents):
-            if agent.name not in agents:
-                raise NotSaid(f"a second agent of the role {agent.role}", str(agent.span))
-        for item in watched.silent:
-            raise NotSaid(f"the property {item.name}: {item.reason}", str(item.span))
     script = of_scope(watched, scope)
     with TemporaryDirectory(prefix="asemec-export-") as folder:
         package, _ = generate_version(own.system, Path(folder), choose(own.configuration))
         loaded = loaded_with_writes(package, own.system, compiled.configuration)
         plans = {role: loaded.charts[role].PLAN for _, role in scope.team}
     named = [(f"p{number}", item) for number, item in enumerate(script.expectations, 1)]
-    return promela(scope.what, scope.team, plans, script.conditions, named)
+    text = promela(scope.what, scope.team, plans, script.conditions, named)
+    if scope.protocol is None:
+        for agent in (agent for team in own.system.teams for agent in team.agents):
+            if agent.name not in dict(scope.team):
+                raise NotSaid(f"a second agent of the role {agent.role}", str(agent.span))
+        for item in watched.silent:
+            raise NotSaid(f"the property {item.name}: {item.reason}", str(item.span))
+    return text
 
 
 def _span(at: str, root: Path | Source) -> Span | None:
