@@ -373,8 +373,8 @@ class Given:
 
 @dataclass(frozen=True, slots=True)
 class Silent:
-    """A statement of the property of this name that says nothing of a team. `is_refused`: of none, otherwise
-    nobody that it speaks of takes part."""
+    """A statement of the property of this name that says nothing of a team: it `is_refused` for every team,
+    or no agent that it speaks of takes part."""
 
     name: str
     span: Span
