@@ -549,9 +549,11 @@ def _guess(script: Script, explored: Explored) -> Callable[[], int] | None:
 def _unsaid(
     compiled: Compiled, asked: Sequence[str], found: Sequence[Result], only: Collection[str]
 ) -> Iterator[Result]:
-    """What the team was not asked, with the reason: statements about agents that are left out or not there,
-    built-in questions that were `asked` for where there is nothing to ask, and roles of the file that no
-    agent has."""
+    """What the team was not asked, with the reason.
+
+    That are statements about agents that are left out or not there, and roles of the file that no agent has.
+    Of the built-in questions, those that were `asked` for where there is nothing to ask.
+    """
     system = compiled.system
     assert system is not None
     if only and TEAM not in only:
