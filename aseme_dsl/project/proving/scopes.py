@@ -18,7 +18,7 @@ PREFIX = "proved_"
 
 
 TEAM = "team"
-"""What the scope is called that is no protocol."""
+"""What the scope of the team is called."""
 
 
 @dataclass(frozen=True, slots=True)
