@@ -300,8 +300,8 @@ class Explored:
         self.ways.taken = self._is_taken
         self._relevant = {plan.name: Relevant(plan, kept) for plan in plans}
         self._alike = {plan.name: Alike(plan, kept) for plan in plans}
-        self._spent = spent = Spent(plans)
-        self.ways.mail = spent.sent
+        self.spent = Spent(plans)
+        self.ways.mail = self.spent.sent
         self._named = {agent.name: agent for agent in self.agents}
         sends = any(info.sends or info.moves for plan in plans for info in plan.branches)
         self.judged = {"orphan", "race"} if sends else set[str]()
@@ -473,9 +473,9 @@ class Explored:
     def _forget_talks(self) -> None:
         desks = self.conversations._members.desks
         for desk in desks.values():
-            self._spent.forget(desk)
+            self.spent.forget(desk)
         if not self.hears:
-            self._spent.drop(self.ways, self._named, desks)
+            self.spent.drop(self.ways, self._named, desks)
         if not self.judges:
             self.late.clear()
             self.spurned.clear()
@@ -610,7 +610,7 @@ class Explored:
         _, sender, receiver, channel = kind
         if channel or not self._named[receiver].over:
             return False
-        ordered = (item for item in self.ways.ways[sender, receiver] if item.kind not in ("data", "radio"))
+        ordered = (item for item in self.ways.ways[sender, receiver] if not item.overtakes)
         return next(ordered).kind == "mail"
 
     def make(self, move: Move) -> None:
@@ -724,7 +724,7 @@ class Explored:
                 continue
             held: set[str] = set()
             for item in waiting:
-                is_sample = item.kind in ("data", "radio")
+                is_sample = item.overtakes
                 if not is_sample and "stream" in held:
                     continue
                 if not is_sample:
@@ -755,7 +755,7 @@ class Explored:
         delay = self._assumed.delay
         if delay is None or (item.kind == "mail" and letter_of(item) is None):
             return None
-        repeats = self._assumed.loses and item.kind not in ("data", "radio")  # what is lost is sent again
+        repeats = self._assumed.loses and not item.overtakes  # what is lost is sent again
         return delay[0], None if repeats else delay[1]
 
     def _times(self) -> Iterator[Move]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Hashable, Iterator, Mapping, Sequence
-from dataclasses import field
+from dataclasses import field, replace
 from functools import partial
 from typing import cast
 
@@ -18,6 +18,7 @@ from aseme_dsl.proofs.explore.deciding.later import content_of
 from aseme_dsl.proofs.explore.deciding.unread import Path
 from aseme_dsl.proofs.explore.explored import Circling, Explored, Move
 from aseme_dsl.proofs.explore.memory import Picture
+from aseme_dsl.proofs.explore.reducing.spent import Dropped
 from aseme_dsl.proofs.explore.search import Step
 from aseme_dsl.proofs.explore.surroundings import NOW, Underway
 from aseme_dsl.proofs.timed.stamp import Window
@@ -189,6 +190,8 @@ class _Retrace:
         self._ended: dict[str, Acts] = {}
         """The activity of an agent that has ended last."""
         self._overtaken: list[Underway] = []
+        self._dropped: list[Dropped] = []
+        """What does nothing any more where it comes: it comes with what was sent after it."""
         self._about: Acts | None = None
         """What acts in the present move, if an activity does."""
         self._kind: tuple[str, ...] = ()
@@ -217,6 +220,7 @@ class _Retrace:
                     self._keep_assumed(move)
                 heard.clear()
                 explored.choices.heard = heard
+                explored.spent.heard = self._dropped
                 explored.choices.follow(step.way)
                 if self._moments is None:
                     clock.moment = _marked(NOW, number)
@@ -227,6 +231,7 @@ class _Retrace:
                     explored.make(move)
                 self._hear(heard)
                 explored.choices.heard = None
+                explored.spent.heard = None
                 if self._moments is None:
                     clock.moment = NOW
                 explored.picture()
@@ -238,6 +243,7 @@ class _Retrace:
                         self._origins.update((key, (number, -aged.age)) for key in self._keys(move))
         finally:
             explored.choices.heard = None
+            explored.spent.heard = None
             clock.moment = NOW
         if self._moments is None:
             self._await_assumed()
@@ -277,6 +283,8 @@ class _Retrace:
                 item = cast("Underway", _argument(move))
                 if what == "arrive":
                     self._overtake(sender, receiver, item)
+                if not item.overtakes:
+                    self._follow_dropped(sender, receiver)
                 self._add(Arrives(receiver, sender, _what(item), what == "lose"))
             case ("event", agent, event):
                 self._add(Event(agent, event))
@@ -298,12 +306,24 @@ class _Retrace:
         if item in self._overtaken:
             raise NotRetraced("a message comes that another one has overtaken")
         waiting = self._explored.ways.ways[sender, receiver]
-        if item.kind not in ("data", "radio") or item.what.split(".")[1] != "state":
+        if not item.overtakes or item.what.split(".")[1] != "state":
             return
         for older in waiting[: waiting.index(item)]:
             if older.what == item.what and older not in self._overtaken:
                 self._overtaken.append(older)
                 self._add(Arrives(receiver, sender, _what(older), False))
+
+    def _follow_dropped(self, sender: str, receiver: str) -> None:
+        """What was dropped before a message that comes now comes just before it."""
+        left: list[Dropped] = []
+        for dropped in self._dropped:
+            if (dropped.sender, dropped.receiver) != (sender, receiver):
+                left.append(dropped)
+            elif dropped.before:
+                left.append(replace(dropped, before=dropped.before - 1))
+            else:
+                self._add(Arrives(receiver, sender, _what(dropped.item), False))
+        self._dropped[:] = left
 
     def _execution(self, agent: str, label: str) -> Execution:
         running = [item for item in self._explored.driver.running if item.agent == agent]

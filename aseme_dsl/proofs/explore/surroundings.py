@@ -103,6 +103,11 @@ class Underway:
     crosses: bool = False
     """Whether its receiver has sent an agent message to its sender, and neither has the other's."""
 
+    @property
+    def overtakes(self) -> bool:
+        """Whether it may come before what was sent earlier."""
+        return self.kind in ("data", "radio")
+
 
 @dataclass(slots=True)
 class Ways:

@@ -23,6 +23,7 @@ from dataclasses import replace
 from functools import partial
 
 from aseme_dsl.proofs.explore.surroundings import Underway, Ways
+from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.agent.agent import Agent
 from aseme_dsl.runtime.chart.inputs import AgentMessage
 from aseme_dsl.runtime.chart.plan import Plan
@@ -34,12 +35,24 @@ _HEARD = AgentMessage("", "", "", None, "", "", ("", 0))
 """Stands for a message that was taken of an agent, if only that matters."""
 
 
+@dataclass(frozen=True, slots=True)
+class Dropped:
+    """Something that was dropped on its way, with the number of messages before it that keep their order."""
+
+    sender: str
+    receiver: str
+    item: Underway
+    before: int
+
+
 class Spent:
     """Forgets what makes no difference any more in the conversations of a team."""
 
     def __init__(self, plans: Sequence[Plan]) -> None:
         self._counts = any(info.counts for plan in plans for info in plan.branches)
         """Whether answers are counted: then it matters which message they name."""
+        self.heard: list[Dropped] | None = None
+        """What is dropped from now on, if something asks for it."""
 
     def sent(self, acl: AclMessage) -> AclMessage:
         """A message that is sent, without the names that no answer uses."""
@@ -69,9 +82,15 @@ class Spent:
 
     def drop(self, ways: Ways, agents: Mapping[str, Agent], desks: Mapping[str, Desk]) -> None:
         """Drop what is on its way to agents that have ended, and that does nothing when it comes there."""
-        for (_, receiver), waiting in ways.ways.items():
+        for (sender, receiver), waiting in ways.ways.items():
             if waiting and agents[receiver].over:
-                kept = [item for item in waiting if not _does_nothing(item, desks[receiver])]
+                kept: list[Underway] = []
+                for item in waiting:
+                    if not _does_nothing(item, desks[receiver]):
+                        kept.append(item)
+                    elif self.heard is not None:
+                        before = sum(not other.overtakes for other in kept)
+                        self.heard.append(Dropped(sender, receiver, item, before))
                 if len(kept) < len(waiting):
                     waiting[:] = kept
 
@@ -88,4 +107,4 @@ def _does_nothing(item: Underway, desk: Desk) -> bool:
     return place is not None and desk.branches.get(place.info.label) is not place
 
 
-__all__ = ["Spent"]
+__all__ = ["Dropped", "Spent"]
