@@ -30,7 +30,8 @@ property "none closes" { never ann in Close }
 """Its first message is sent before any activity has run: without code it says what a new message says."""
 
 TALKS = sorted({19, *range(int(os.environ.get("REPLAYED_TALKS", "6")))})
-"""Random protocols whose counterexamples are played. In 19, what comes next stands behind an answer to an agent that has ended."""
+"""Random protocols whose counterexamples are played. In 19, an answer to an agent that has ended is dropped,
+and a message behind it comes."""
 
 
 @pytest.mark.parametrize(
