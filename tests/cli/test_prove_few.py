@@ -75,7 +75,7 @@ def test_what_few_agents_do_counts_where_the_search_of_all_is_cut(prove, monkeyp
 def test_a_counterexample_with_few_agents_is_a_scenario_that_fails(prove) -> None:  # type: ignore[no-untyped-def]
     done = prove(SALE, "non-local choice", "--robots", "3", "--states", "150", "--json")
     (found,) = done.json["results"]
-    assert "buyer3 : proved_buyer" in found["scenario"]
+    assert "buyer3 : proved_sale_buyer" in found["scenario"]
     assert not any(line.startswith(("buyer2", "buyer3")) for line in found["counterexample"])
     assert FEW.search(f"{found['bounds']}]")
 

@@ -99,6 +99,16 @@ def test_the_same_clause_of_two_protocols_is_answered_twice(prove: Callable[...,
     assert (done.code, found) == (1, expected)
 
 
+def test_counterexamples_of_two_protocols_are_played_from_one_file(here: Here, folder: Path) -> None:
+    waits = FETCH.replace("process = Hear . Bring", "var n : int = 0  process = Hear . [Bring]")
+    waits = waits.replace("enter Bring : ", "skip Bring : else  enter Bring : [n > 3] ")
+    (folder / "it.aseme").write_text(waits + "aip late" + waits.partition("aip fetch")[2])
+    done = here("prove", "it.aseme", "deadlock", "--save", "found.aseme", "--json")
+    assert [item["verdict"] for item in done.json["results"]] == ["REFUTED", "REFUTED"], done.out
+    played = here("test", "found.aseme", "--json")
+    assert [item["verdict"] for item in played.json["scenarios"]] == ["failed", "failed"], played.out
+
+
 def test_without_a_team_there_is_an_agent_of_each_role(prove: Callable[..., Done]) -> None:
     text = ONE_TWO + 'property "awake" { never two in Rest }\nproperty "apart" { never one in Walk }\n'
     done = prove(text, "--json")

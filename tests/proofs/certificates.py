@@ -10,7 +10,7 @@ from pathlib import Path
 from aseme_dsl.project.building.project import compile_root, inputs_of
 from aseme_dsl.project.proving.prove import EACH_ALONE, prove, prove_alone
 from aseme_dsl.project.proving.results import Bounds, Result, Verdict
-from aseme_dsl.project.proving.scopes import PREFIX, scope_of
+from aseme_dsl.project.proving.scopes import role_of, scope_of
 from aseme_dsl.proofs.explore.search import Limits
 from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source
@@ -80,7 +80,7 @@ def answers(case: Case) -> tuple[Result, ...]:
     scope = scope_of(source, aip, case.robots)
     if case.harsh:
         assert isinstance(scope.root, Source)
-        role = f"{PREFIX}{aip.participants[-1].name}"
+        role = role_of(aip.name, aip.participants[-1].name)
         said = f'property "surroundings" {{ assume network loss 10%  assume at most 1 of {role} crash }}\n'
         scope = replace(scope, root=Source(source.path, scope.root.text + said))
     return prove_alone(scope, compiled, limits)

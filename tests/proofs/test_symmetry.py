@@ -97,12 +97,12 @@ def compare(monkeypatch: pytest.MonkeyPatch, text: str, robots: int) -> Mapping[
 
 @pytest.mark.parametrize("robots", [2, pytest.param(3, marks=pytest.mark.long)])
 def test_an_agent_does_the_same_in_fewer_states(monkeypatch: pytest.MonkeyPatch, robots: int) -> None:
-    states, moves = compare(monkeypatch, MARKET, robots)["proved_seller"]
+    states, moves = compare(monkeypatch, MARKET, robots)["proved_sale_seller"]
     assert states > 0 and moves > 0
 
 
 def test_an_agent_that_keeps_no_names_does_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
-    states, moves = compare(monkeypatch, GROUP, 2)["proved_asking"]
+    states, moves = compare(monkeypatch, GROUP, 2)["proved_talk_asking"]
     assert states == 0 and moves > 0
 
 
@@ -110,7 +110,7 @@ def test_an_agent_that_keeps_no_names_does_the_same(monkeypatch: pytest.MonkeyPa
 def test_those_who_are_told_apart_do_not_change_places(monkeypatch: pytest.MonkeyPatch, name: str) -> None:
     text = MARKET.replace(*TOLD[name])
     assert text != MARKET
-    assert compare(monkeypatch, text, 2)["proved_seller"] == (0, 0)
+    assert compare(monkeypatch, text, 2)["proved_sale_seller"] == (0, 0)
 
 
 def _nothing(*_: object) -> object:

@@ -16,7 +16,7 @@ from aseme_dsl.project.building.project import options_of
 from aseme_dsl.project.comparing.structure import Change, Sort, Structure
 from aseme_dsl.project.comparing.versions import Compiled
 from aseme_dsl.project.playing.operate import generate_version
-from aseme_dsl.project.proving.scopes import PREFIX, scope_of
+from aseme_dsl.project.proving.scopes import role_of, scope_of
 from aseme_dsl.proofs.compare.frozen import whole
 from aseme_dsl.proofs.compare.search import Bounds, Found, compare
 from aseme_dsl.proofs.compare.staging import Version
@@ -231,7 +231,7 @@ def _participants(
     for part in other.participants:
         before = _before(part.name, parts)
         if one.participant(before) is not None:
-            roles = f"{PREFIX}{before}", f"{PREFIX}{part.name}"
+            roles = role_of(one.name, before), role_of(other.name, part.name)
             what, chart = f"protocol {other.name}: {part.name}", f"eac.{other.name}"
             pair = loaded[0], loaded[1]
             yield _compared(what, chart, pair, roles, [(before, part.name)], names, bounds)

@@ -14,7 +14,7 @@ from aseme_dsl.play.scenario import Expectation, Untaken
 from aseme_dsl.project.proving.counterexample import Run
 from aseme_dsl.project.proving.replaying import played, written
 from aseme_dsl.project.proving.results import Bounds, Case, Key, Result, Verdict
-from aseme_dsl.project.proving.scopes import PREFIX, Scope
+from aseme_dsl.project.proving.scopes import Scope, role_of
 from aseme_dsl.project.proving.watched import (
     Watched,
     asks_for_more,
@@ -670,7 +670,7 @@ class _Outcomes:
         for place in places:
             name, _, participant = place.partition("@")
             for agent in self._explored.agents:
-                if agent.role.removeprefix(PREFIX) == participant:
+                if agent.role == role_of(self._aip.name, participant):
                     labels = {
                         state.label for state in agent.plan.states if name in (state.name, state.activity)
                     }

@@ -13,9 +13,7 @@ from aseme_dsl.amola.system import System
 from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, is_library_path
 
-PREFIX = "proved_"
-"""What stands before a participant in the name of the role that plays nothing else."""
-
+_PREFIX = "proved_"
 
 TEAM = "team"
 """What the scope of the team is called."""
@@ -35,8 +33,12 @@ class Scope:
     @property
     def agents(self) -> str:
         """`1 manager, 2 contractor`."""
-        counts = Counter(role.removeprefix(PREFIX) for _, role in self.team)
+        counts = Counter(role if self.protocol is None else self.participant(role) for _, role in self.team)
         return ", ".join(f"{count} {role}" for role, count in counts.items())
+
+    def participant(self, role: str) -> str:
+        """The participant that a role plays, in a protocol alone."""
+        return role.removeprefix(f"{_PREFIX}{self.protocol}_")
 
 
 def scopes_of(root: Path | Source, system: System, robots: int) -> Iterator[Scope]:
@@ -59,13 +61,18 @@ def scope_of(root: Path | Source, aip: Aip, robots: int, names: Set[str] = froze
     source = root if isinstance(root, Source) else Source(str(root), outside.read_text(root))
     text = "".join(_role(aip.name, part) for part in aip.participants)
     team = tuple(
-        (_free(f"{part.name}{number}" if count > 1 else part.name, names), f"{PREFIX}{part.name}")
+        (_free(f"{part.name}{number}" if count > 1 else part.name, names), role_of(aip.name, part.name))
         for part in aip.participants
         for count in (_count(part, robots),)
         for number in range(1, count + 1)
     )
     whole = Source(source.path, f"{source.text}\n\n{text}")
     return Scope(f"protocol {aip.name}", whole, team, aip.name, text)
+
+
+def role_of(protocol: str, participant: str) -> str:
+    """The role that plays a participant and nothing else."""
+    return f"{_PREFIX}{protocol}_{participant}"
 
 
 def _free(name: str, names: Set[str]) -> str:
@@ -77,7 +84,7 @@ def _free(name: str, names: Set[str]) -> str:
 
 def _role(protocol: str, part: Participant) -> str:
     """A role that plays a participant and nothing else. Its inputs, but for agents, come in a message."""
-    role = f"{PREFIX}{part.name}"
+    role = role_of(protocol, part.name)
     inputs = [item for item in part.inputs if item.type.kind is not Kind.AGENT]
     declared = supplied = ""
     if inputs:
@@ -106,4 +113,4 @@ def _team(system: System, robots: int) -> tuple[tuple[str, str], ...]:
     return tuple(kept)
 
 
-__all__ = ["PREFIX", "TEAM", "Scope", "scope_of", "scopes_of"]
+__all__ = ["TEAM", "Scope", "role_of", "scope_of", "scopes_of"]
