@@ -8,9 +8,10 @@ from dataclasses import replace
 from pathlib import Path
 
 from aseme_dsl.project.building.project import compile_root, inputs_of
-from aseme_dsl.project.proving.prove import EACH_ALONE, prove, prove_alone
+from aseme_dsl.project.proving.prove import prove, prove_alone
 from aseme_dsl.project.proving.results import Bounds, Result, Verdict
 from aseme_dsl.project.proving.scopes import role_of, scope_of
+from aseme_dsl.project.proving.searches import EACH_ALONE
 from aseme_dsl.proofs.explore.search import Limits
 from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from tempfile import TemporaryDirectory
-from time import process_time
-from typing import ParamSpec, Protocol, TypeVar
 
 from aseme_dsl.amola.system import System
 from aseme_dsl.compiler.phases import watched_of
@@ -41,6 +39,7 @@ from aseme_dsl.project.proving.judging import (
 from aseme_dsl.project.proving.pairs import by_pairs, equal_in
 from aseme_dsl.project.proving.results import BUILT_IN, Bounds, Key, Result, Verdict
 from aseme_dsl.project.proving.scopes import TEAM, Scope, scopes_of
+from aseme_dsl.project.proving.searches import Purse, among_others, in_parts
 from aseme_dsl.project.proving.watched import (
     Watched,
     asked_by,
@@ -54,11 +53,11 @@ from aseme_dsl.project.proving.watched import (
     terms_in,
 )
 from aseme_dsl.project.proving.written import loaded_with_writes
-from aseme_dsl.proofs.explore.apart import first_of, groups_of
+from aseme_dsl.proofs.explore.apart import groups_of
 from aseme_dsl.proofs.explore.deciding.order import Unanswerable
 from aseme_dsl.proofs.explore.explored import Assumed, Explored
 from aseme_dsl.proofs.explore.needed import Asked, Needed
-from aseme_dsl.proofs.explore.search import Eyes, Graph, Limits, search
+from aseme_dsl.proofs.explore.search import Eyes, Limits, search
 from aseme_dsl.proofs.explore.wandering.wander import wander
 from aseme_dsl.proofs.guide import Guide
 from aseme_dsl.proofs.timed.search import Watching, search_with_times
@@ -66,13 +65,6 @@ from aseme_dsl.runtime.monitor.rules import Never
 from aseme_dsl.runtime.trace.trace import Listener
 from aseme_dsl.runtime.version.loading import Loaded
 from aseme_dsl.source import Span
-
-ALONE = ("deadlock", "failures")
-"""The questions that each agent can answer for itself."""
-EACH_ALONE = "each agent among others that may do anything"
-"""What was explored to answer them."""
-APART = "regions that do not meet apart"
-"""How, if it was done for groups of regions."""
 
 _EMPTY = "vacuous: there is no role and no protocol"
 _TALKLESS = "vacuous: no agent sends or takes a message of a protocol"
@@ -82,9 +74,6 @@ _VACUOUS = {
     "agreement": "vacuous: no protocol of the file has two outcomes with `when`",
 }
 """Why there may be nothing to ask; for other questions, if there is nothing at all."""
-
-P = ParamSpec("P")
-T = TypeVar("T")
 
 
 class NotThere(Exception):
@@ -173,7 +162,7 @@ def _explored(
             """The answer about failures, with times if it depends on them; so many questions come later."""
             if not (item.is_built_in and item.is_abstract and item.name == "failures"):
                 return item
-            judge = _in_parts(purse.part(1 + later), searched, team, None, times=Times(horizon))
+            judge = in_parts(purse.part(1 + later), searched, team, None, times=Times(horizon))
             assert judge is not None
             return judge.failures()
 
@@ -183,7 +172,7 @@ def _explored(
             """The answers of one search, and of others in which numbers may be any, or more are tried; there
             are none as `_searched` says. `is_all`: also those to what is asked of every team."""
             lent = purse.part(parts)
-            judge = _in_parts(lent, searched, team, script, about=about)
+            judge = in_parts(lent, searched, team, script, about=about)
             given = None if judge is None else judge.answers(is_all=is_all)
             if judge is not None and given is not None and is_all and judge.is_open:
                 more = among_others(lent, searched, team, given.results, asked, kinds)
@@ -191,7 +180,7 @@ def _explored(
             if judge is None or given is None or not judge.is_of_few or given.is_decided:
                 return given
             try:
-                judge = _in_parts(purse.part(parts), searched, team, script, about=about, numbers=None)
+                judge = in_parts(purse.part(parts), searched, team, script, about=about, numbers=None)
                 assert judge is not None
                 abstract = judge.answers(is_all=is_all)
             except Unanswerable:
@@ -199,7 +188,7 @@ def _explored(
             given, numbers = given.surer(abstract), judge.beside
             if given.is_decided or not any(item.is_abstract for item in abstract.results) or not numbers:
                 return given
-            judge = _in_parts(purse.part(parts), searched, team, script, about=about, numbers=numbers)
+            judge = in_parts(purse.part(parts), searched, team, script, about=about, numbers=numbers)
             return given if judge is None else given.surer(judge.answers(is_all=is_all))
 
         found: dict[Key, Result] = {}
@@ -207,7 +196,7 @@ def _explored(
         timed = [item for item in wanted if is_timed(item.rule)]
         untimed = [item for item in wanted if not is_timed(item.rule)]
         questions = max(1, len(wanted) + others)
-        purse = _Purse(limits, limits.seconds / (2 * questions))  # half of an equal part at least
+        purse = Purse(limits, limits.seconds / (2 * questions))  # half of an equal part at least
         for number, item in enumerate(untimed):
             one = replace(own_script, expectations=(item,))
             about = asked_by(one)
@@ -235,7 +224,7 @@ def _explored(
         for number, item in enumerate(timed):
             one = replace(script, expectations=(item,))
             lent = purse.part(len(timed) - number + others)
-            judge = _in_parts(lent, searched, scope, one, about=asked_by(one), times=Times(horizon))
+            judge = in_parts(lent, searched, scope, one, about=asked_by(one), times=Times(horizon))
             assert judge is not None
             found[key_of(item)] = next(judge.expected())
         yield from found.values()
@@ -250,184 +239,6 @@ def _explored(
                 about_groups += [with_times(item, part, later) for item in answers.results]
                 reached.append(answers.reached)
             yield from _together(about_groups, reached, scope)
-
-
-class _Purse:
-    """The time of all searches of a scope. What becomes of their results takes none of it."""
-
-    def __init__(self, limits: Limits, least: float, lender: _Purse | None = None) -> None:
-        """What one search is allowed, with the seconds of all of them. A search gets the `least` seconds at
-        least, as those before it may take longer than their parts. The time is that of the `lender`, too."""
-        self._limits = limits
-        self._least = least
-        self._left = limits.seconds
-        self._lender = lender
-
-    def share(self, parts: float) -> Limits:
-        """What is left, divided by so many: who needs less leaves more to those that come later."""
-        return replace(self._limits, seconds=max(self._least, self._left / parts))
-
-    def part(self, parts: float) -> _Purse:
-        """The same for searches that belong together."""
-        return _Purse(self.share(parts), self._least, self)
-
-    @property
-    def of_one(self) -> Limits:
-        """All that is left, for a search of one agent: its states are small, but each may have many moves."""
-        states = self._limits.states
-        return replace(self.share(1), states=3 * states, moves=100 * states)
-
-    def spend(self, search: Callable[P, T], *arguments: P.args, **named: P.kwargs) -> T:
-        """What a search finds."""
-        before = process_time()
-        found = search(*arguments, **named)
-        self._pay(process_time() - before)
-        return found
-
-    def _pay(self, seconds: float) -> None:
-        self._left -= seconds
-        if self._lender is not None:
-            self._lender._pay(seconds)
-
-
-class _Searching(Protocol):
-    """One search, see `_searched`."""
-
-    def __call__(
-        self,
-        scope: Scope,
-        script: Script | None,
-        limits: Limits,
-        *,
-        about: Asked | None = None,
-        times: Times | None = None,
-        numbers: Sequence[float] | None = (),
-        still: frozenset[str] = frozenset(),
-        others: frozenset[str] = frozenset(),
-        group: int | None = None,
-        apart: Sequence[Needed] = (),
-        before: Judge | None = None,
-    ) -> Judge | None: ...
-
-
-_OF_ALL = 2
-"""A search of all agents gets this part of the time, if others may come after it."""
-_LAST = 5
-"""So many parts of the time are left to those of one agent each, behind the long runs."""
-
-
-def _in_parts(
-    purse: _Purse,
-    searched: _Searching,
-    scope: Scope,
-    script: Script | None,
-    *,
-    about: Asked | None = None,
-    times: Times | None = None,
-    numbers: Sequence[float] | None = (),
-) -> Judge | None:
-    """A search; if it was cut, then also some in which only the first agents of each role move, and long runs
-    of all, unless it is `about` one question. Where these leave something unreached, first agents make long
-    runs, too.
-
-    Not with times: then agents have to move in time. Nor with further numbers: these are tried where all do.
-    """
-
-    def search_one(
-        limits: Limits,
-        still: frozenset[str] = frozenset(),
-        before: Judge | None = None,
-    ) -> Judge | None:
-        search = partial(searched, about=about, times=times, numbers=numbers, still=still, before=before)
-        return purse.spend(search, scope, script, limits)
-
-    is_plain = times is None and numbers == ()
-    few = first_of(scope.team) if is_plain else ()
-    stills = [frozenset(name for name, _ in scope.team if name not in names) for names in few]
-    runs = [frozenset[str](), *stills] if is_plain and about is None else []
-    judge = search_one(purse.share(_OF_ALL if stills or runs else 1))
-    if judge is None or not judge.is_open:
-        return judge
-    last = len(runs) + _LAST if runs else 0
-    for number, still in enumerate(stills):
-        part = search_one(purse.share(len(stills) - number + last), still)
-        assert part is not None
-        judge.parts = (*judge.parts, part)
-        if part.has_all:
-            return judge
-    for number, still in enumerate(runs):
-        left = judge.left(Graph())
-        if judge.has_enough(Graph(), left) or (still and not left):
-            break
-        part = search_one(purse.share(last - number), still, before=judge)
-        assert part is not None
-        judge.parts = (*judge.parts, part)
-    return judge
-
-
-def among_others(
-    purse: _Purse,
-    searched: _Searching,
-    scope: Scope,
-    results: Sequence[Result],
-    asked: Sequence[str],
-    kinds: Mapping[str, object],
-) -> Iterator[Result]:
-    """The answers, also to questions that each agent answers by itself as others change nothing. Of agents
-    that are of one of the `kinds`, the first one stands for all."""
-    left = {
-        item.name
-        for item in results
-        if item.is_built_in and item.name in ALONE
-        if item.verdict is Verdict.UNDECIDED and (not asked or item.name in asked)
-    }
-    found: list[Judge] = []
-    for judge in _each_alone(purse, searched, scope, kinds) if left else ():
-        left &= frozenset() if judge is None else judge.kept_alone()
-        if judge is None or not left:
-            break
-        found.append(judge)
-    bounds = [judge.bounds() for judge in found]
-    how = (EACH_ALONE,) if len(scope.team) > 1 else ()
-    if any(judge.is_apart for judge in found):
-        how = (*how, APART)
-    for item in results:
-        if item.is_built_in and item.name in left:
-            parts = dict.fromkeys(part for some in bounds for part in some.parts)
-            states = sum(some.states or 0 for some in bounds)
-            within = Bounds(scope.agents, (*parts, *how), states)
-            item = replace(item, verdict=Verdict.PROVED, bounds=within, reason="")
-        yield item
-
-
-def _each_alone(
-    purse: _Purse, searched: _Searching, scope: Scope, kinds: Mapping[str, object]
-) -> Iterator[Judge | None]:
-    """The searches of one agent of each kind, by groups of its regions; None where something is left out."""
-    for agent in {kinds[name]: name for name, _ in reversed(scope.team)}.values():
-        others = frozenset(name for name, _ in scope.team if name != agent)
-        group, apart = 0, tuple[Needed, ...]()
-        while group == 0 or group < len(apart):
-            judge = purse.spend(_of_all_numbers, searched, scope, others, purse.of_one, group, apart)
-            yield judge
-            group, apart = group + 1, () if judge is None else judge.apart
-
-
-def _of_all_numbers(
-    searched: _Searching,
-    scope: Scope,
-    others: frozenset[str],
-    limits: Limits,
-    group: int,
-    apart: Sequence[Needed],
-) -> Judge | None:
-    """A search of one agent, in which numbers may be any. If it asks more of one than how it compares, a few
-    are tried; there is no answer if these do not stand for all."""
-    try:
-        return searched(scope, None, limits, others=others, group=group, apart=apart, numbers=None)
-    except Unanswerable:
-        judge = searched(scope, None, limits, others=others, group=group, apart=apart)
-        return None if judge is None or judge.is_of_few else judge
 
 
 def _together(parts: Sequence[Result], reached: Sequence[Reached], scope: Scope) -> Iterator[Result]:
