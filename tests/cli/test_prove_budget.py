@@ -47,7 +47,7 @@ def test_how_to_ask_for_one_answer_alone_is_said_once(
 ) -> None:
     (folder / "it.aseme").write_text(COUNTING)
     hints = [line for line in here("prove", "it.aseme", *more).out.splitlines() if line.startswith("hint: ")]
-    assert len(hints) == 1 and hints[0].endswith(f"it may be decided: {said}"), hints
+    assert len(hints) == 1 and hints[0].endswith(f"with a larger limit: {said}"), hints
 
 
 @pytest.mark.parametrize("asked", [(), ("deep", "at first", "deeper", "in time")])
@@ -63,7 +63,7 @@ def test_no_question_is_left_without_time(here: Here, folder: Path, asked: tuple
 def test_a_search_that_takes_too_long_leaves_the_others_their_least_part(
     here: Here, folder: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("aseme_dsl.project.proving.prove.process_time", count(0, 7).__next__)
+    monkeypatch.setattr("aseme_dsl.project.proving.searches.process_time", count(0, 7).__next__)
     (folder / "it.aseme").write_text(COUNTING)
     found = here("prove", "it.aseme", "deep", "deeper", "--budget", "1s", "--json").json["results"]
     assert [item["reason"] for item in found] == ["the search was cut after 0.25 s"] * 2
