@@ -66,7 +66,7 @@ def test_what_few_agents_do_counts_where_the_search_of_all_is_cut(prove, monkeyp
 
     assert asked("non-local choice", 150) == "REFUTED"
     assert asked("dead states", 60) == "PROVED"
-    monkeypatch.setattr("aseme_dsl.project.proving.prove.first_of", lambda team: iter(()))
+    monkeypatch.setattr("aseme_dsl.project.proving.searches.first_of", lambda team: iter(()))
     monkeypatch.setattr(Judge, "has_enough", lambda judge, further, left: True)  # no long runs
     assert asked("non-local choice", 150) == "UNDECIDED"
     assert asked("dead states", 60) == "UNDECIDED"
