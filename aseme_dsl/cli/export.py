@@ -117,7 +117,7 @@ def _models(
 ) -> tuple[tuple[tuple[str, str], ...], tuple[Diagnostic, ...]]:
     """The models for SPIN, and what they cannot say."""
     from aseme_dsl.project.playing.operate import OperateError
-    from aseme_dsl.project.proving.models import models_of
+    from aseme_dsl.project.proving.spin.models import models_of
     from aseme_dsl.runtime.version.loading import LoadError
 
     try:

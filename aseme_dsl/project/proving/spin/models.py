@@ -14,9 +14,9 @@ from aseme_dsl.diagnostics.problems.exporting import NotInModel
 from aseme_dsl.project.building.build import choose
 from aseme_dsl.project.building.project import Compiled, compile_root
 from aseme_dsl.project.playing.operate import generate_version
-from aseme_dsl.project.proving.promela import NotSaid, promela
 from aseme_dsl.project.proving.prove import of_scope
 from aseme_dsl.project.proving.scopes import Scope, scopes_of
+from aseme_dsl.project.proving.spin.promela import NotSaid, promela
 from aseme_dsl.project.proving.written import loaded_with_writes
 from aseme_dsl.source import Source, Span
 

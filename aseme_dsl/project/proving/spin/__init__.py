@@ -1,0 +1,1 @@
+"""Spin: a team, or a protocol alone, as a model for SPIN."""
