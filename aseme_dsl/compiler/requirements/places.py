@@ -17,19 +17,25 @@ class Places:
     blocks: Blocks
     aliases: frozenset[str]
 
-    def labels(self, role: str, name: str, participant: str | None) -> frozenset[str]:
-        """The labels of the states of a role that have the name (in the participant's branches)."""
+    def labels(
+        self, role: str, name: str, participant: str | None, protocol: str | None = None
+    ) -> frozenset[str]:
+        """The labels of the states of a role that have the name (in the participant's branches).
+
+        With a `protocol`, only its branches count: participants of other protocols may have the same names.
+        """
         chart = self.charts[role]
         if participant is None:
             names = {name}
         else:
-            names = {name, *self._bound(role, name, participant)}
+            names = {name, *self._bound(role, name, participant, protocol)}
         inside = [
             node.label
             for node in chart.states
             if participant is not None
             and chart.is_branch(node)
             and participant in (node.origin.name, node.name)
+            and protocol in (None, node.origin.owner)
         ]
         found = [
             node
@@ -45,12 +51,12 @@ class Places:
     def _called(self, node: State) -> set[str]:
         return called(node.name, self.aliases) | {node.activity or ""}
 
-    def _bound(self, role: str, name: str, participant: str) -> Iterator[str]:
+    def _bound(self, role: str, name: str, participant: str, protocol: str | None) -> Iterator[str]:
         """What the role puts in the place of an abstract activity of the participant."""
         for item in self.blocks.srms:
             for part in item.plays if item.name.text == role else ():
                 alias = part.alias.text if part.alias is not None else ""
-                if participant in (part.participant.text, alias):
+                if participant in (part.participant.text, alias) and protocol in (None, part.protocol.text):
                     for binding in part.bindings:
                         if binding.abstract.text == name and binding.own is not None:
                             yield binding.own.text

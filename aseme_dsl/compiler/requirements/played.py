@@ -230,15 +230,17 @@ class _Lowering:
         for item in protocol.clauses:
             before = len(self.expectations)
             with suppress(_NotThere):
-                self._clause(item)
+                self._clause(item, name)
             self.expectations[before:] = [
                 replace(new, of=f"clause of {name}", protocol=name if has_messages else None)
                 for new in self.expectations[before:]
             ]
 
-    def _clause(self, item: tree.Clause) -> None:
+    def _clause(self, item: tree.Clause, protocol: str) -> None:
         first, *others = (
-            self._in_places(self.team, places, item) for places in (item.first, item.second) if places
+            self._in_places(self.team, places, item, protocol)
+            for places in (item.first, item.second)
+            if places
         )
         if item.kind == "at most":
             rule = rules.Never(self._number(play.InPlaces(first, item.count + 1)))
@@ -608,17 +610,21 @@ class _Lowering:
 
     def _ended(self, item: nodes.Ended) -> int:
         """An outcome of a protocol is reached where one of its places is entered, in any agent."""
-        outcomes = [
-            outcome
+        found: dict[str, frozenset[str]] = {}
+        places = [
+            (place, protocol.name.text)
             for protocol in self.places.blocks.aips
             for outcome in protocol.outcomes
             if outcome.text.text == item.text.text
+            for place in outcome.when
         ]
-        places = [place for outcome in outcomes for place in outcome.when]
         if not places:
             text = item.text.span.text
             _refuse(item, f"the protocol does not say when: write `outcome {text} when PLACE@PARTICIPANT`")
-        return self._number(play.InPlaces(self._in_places(self.team, places, item)))
+        for place, protocol in places:
+            for agent, labels in self._labels(self.team, (place,), protocol).items():
+                found[agent] = found.get(agent, frozenset()) | labels
+        return self._number(play.InPlaces(_there(found, item)))
 
     def _role(self, agent: str | None) -> str | None:
         return None if agent is None else self.team[agent]
@@ -643,8 +649,15 @@ class _Lowering:
         agents: Iterable[str],
         places: Iterable[tree.Place],
         item: nodes.Statement | nodes.Condition | tree.Clause,
+        protocol: str | None = None,
     ) -> dict[str, frozenset[str]]:
-        """The labels of the places in the statechart of each agent that has some."""
+        """The labels of the places in the statechart of each agent that has some. Those of a `protocol` are
+        in its participants."""
+        return _there(self._labels(agents, places, protocol), item)
+
+    def _labels(
+        self, agents: Iterable[str], places: Iterable[tree.Place], protocol: str | None
+    ) -> dict[str, frozenset[str]]:
         found: dict[str, frozenset[str]] = {}
         for agent in agents:
             labels: set[str] = set()
@@ -652,11 +665,11 @@ class _Lowering:
                 chosen = self.row.get(place.name.text) if place.name.text in self.check.chosen else None
                 name = chosen.text if isinstance(chosen, tree.Path) else place.name.text
                 at = None if place.at is None else place.at.text
-                labels |= self.places.labels(self.team[agent], name, at)
+                if protocol is not None and at is None:
+                    at = name  # a participant
+                labels |= self.places.labels(self.team[agent], name, at, protocol)
             if labels:
                 found[agent] = frozenset(labels)
-        if not found:
-            raise _NotThere(item.span, "no agent that takes part has this place in its statechart")
         return found
 
     def _says(self, item: nodes.Heard, about: str | None) -> play.Says:
@@ -677,6 +690,15 @@ class _Lowering:
             None if agents is None else frozenset(agents),
             condition,
         )
+
+
+def _there(
+    found: dict[str, frozenset[str]], item: nodes.Statement | nodes.Condition | tree.Clause
+) -> dict[str, frozenset[str]]:
+    """Places that some agent has."""
+    if not found:
+        raise _NotThere(item.span, "no agent that takes part has this place in its statechart")
+    return found
 
 
 def _comes_last(item: nodes.Statement) -> bool:
