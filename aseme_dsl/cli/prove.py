@@ -27,9 +27,11 @@ from aseme_dsl.diagnostics import Severity, has_errors
 
 if TYPE_CHECKING:
     from aseme_dsl.project.proving.results import Result
+    from aseme_dsl.proofs.explore.search import Limits
     from aseme_dsl.source import Source
 
 _NANOSECOND = 1e-9
+_ROBOTS = 2
 
 
 @click.command(
@@ -37,7 +39,8 @@ _NANOSECOND = 1e-9
     help="Explore all runs of the team, and of each protocol alone. Each property and clause is proved,"
     " refuted or undecided, with its bounds; what is refuted has a run that shows it. Built-in questions:"
     " deadlock, orphan messages, non-local choice, agreement, dead states, failures. PROPERTY is a question,"
-    f" the name of a property, or the text of a clause. {TARGET_HELP}",
+    " the name of a property, or the text of a clause. The name of a protocol, or team, explores that alone."
+    f" {TARGET_HELP}",
     epilog="Example: asemec prove team.aseme   ·   asemec prove team.aseme deadlock --robots 3",
 )
 @target_argument
@@ -45,7 +48,7 @@ _NANOSECOND = 1e-9
 @click.option(
     "--robots",
     type=click.IntRange(1, 16),
-    default=2,
+    default=_ROBOTS,
     show_default=True,
     metavar="K",
     help="Number of agents for each role and participant that has several.",
@@ -96,6 +99,7 @@ def command(
 ) -> int:
     """Prove; 1 if something is refuted, or the file has errors, 3 if something asked for is undecided."""
     from aseme_dsl.project.playing.operate import OperateError
+    from aseme_dsl.project.proving.asking import narrowed
     from aseme_dsl.project.proving.prove import NotThere, prove
     from aseme_dsl.proofs.explore.search import Limits
     from aseme_dsl.runtime.version.loading import LoadError
@@ -107,7 +111,8 @@ def command(
     progress = Progress(as_json)
     limits = Limits(states, budget * _NANOSECOND)
     try:
-        found = prove(compiled, asked, robots, limits, progress.say, horizon)
+        only, names = narrowed(compiled, asked)
+        found = prove(compiled, names, robots, limits, progress.say, horizon, only)
     except NotThere as problem:
         raise click.UsageError(str(problem)) from problem
     except (LoadError, OperateError) as problem:
@@ -118,12 +123,12 @@ def command(
         print_json({"format": 1, "results": [item.as_json for item in found]})
     else:
         _show(found)
-        if hint := _more(found, target, budget, states):
+        if hint := _more(found, target, limits, robots, horizon):
             click.echo(hint)
     code = 0 if saved is None else _save(found, saved, compiled.root, colour)
     if stories is not None:
         code = max(code, _draw(found, stories, colour))
-    return code or code_of(found, asked)
+    return code or code_of(found, names)
 
 
 def _save(found: tuple[Result, ...], path: Path, root: Path | Source, colour: str) -> int:
@@ -172,18 +177,24 @@ def _show(found: tuple[Result, ...]) -> None:
             click.echo(f"  {number:>3}  {line}")
 
 
-def _more(found: tuple[Result, ...], target: str, budget: int, states: int) -> str:
+def _more(found: tuple[Result, ...], target: str, limits: Limits, robots: int, horizon: int | None) -> str:
     """How to ask for the first answer alone for which the search was cut; empty if there is none."""
     from aseme_dsl.project.proving.judging import CUT
-    from aseme_dsl.runtime.time.clock import at_text
+    from aseme_dsl.runtime.time.clock import SECOND, at_text
 
     first = next((item for item in found if CUT in item.reason), None)
     if first is None:
         return ""
     is_time = not first.reason.endswith(" states")
-    more = f"--budget {at_text(5 * budget)}" if is_time else f"--states {5 * states}"
-    words = ["asemec", "prove", target, first.name]
-    return f"hint: to decide it, ask for it alone, with a larger limit: {shlex.join(words)} {more}"
+    more = ["--budget", at_text(round(5 * limits.seconds * SECOND))]
+    if not is_time:
+        more = ["--states", str(5 * limits.states)]
+    several = len({item.of for item in found if item.name == first.name}) > 1
+    of = [first.of.removeprefix("protocol ")] if several else []
+    words = ["asemec", "prove", target, *of, first.name, *more]
+    words += ["--robots", str(robots)] if robots != _ROBOTS else []
+    words += ["--horizon", at_text(horizon)] if horizon is not None else []
+    return f"hint: to decide it, ask for it alone, with a larger limit: {shlex.join(words)}"
 
 
 __all__ = ["command"]

@@ -29,6 +29,19 @@ property "none closes" { never ann in Close }
 """
 """Its first message is sent before any activity has run: without code it says what a new message says."""
 
+ROUND = """system Round
+message Sun { bool up }
+topic sky { state Sun from outside }
+srm robot {
+  liveness { robot = (Walk | Rest)~ }
+  activities { Walk takes 1s  Rest takes 1s }
+  control robot { enter Rest : [!sky.state.Sun.up]  enter Walk : else }
+}
+team T { x : robot }
+property "it rests" { every x in Walk leads to x in Rest }
+"""
+"""It may walk for ever, as the sun need not set."""
+
 TALKS = sorted({19, *range(int(os.environ.get("REPLAYED_TALKS", "6")))})
 """Random protocols whose counterexamples are played. In 19, an answer to an agent that has ended is dropped,
 and a message behind it comes."""
@@ -59,7 +72,19 @@ def test_what_is_refuted_fails_when_it_is_played(
     assert played.code == 1
     verdicts = {item["name"]: item["verdict"] for item in played.json["scenarios"]}
     assert verdicts == {f"{item['name']} of {item['of']}": "failed" for item in found}
-    assert len(list((folder / "stories").glob("*.svg"))) == len(found)
+    drawn = [path.read_text() for path in (folder / "stories").glob("*.svg")]
+    assert len(drawn) == len(found)
+    agents = [line.split(" : ")[0].strip() for line in found[0]["scenario"].splitlines() if " : " in line]
+    assert all(any(f">{name}<" in svg for name in agents) and svg.count("<text") > 5 for svg in drawn)
+
+
+def test_what_never_comes_is_shown_with_the_round_that_repeats(here: Here, folder: Path) -> None:
+    (folder / "a.aseme").write_text(ROUND)
+    done = here("prove", "a.aseme", "it rests", "--json")
+    (found,) = done.json["results"]
+    assert found["verdict"] == "REFUTED"
+    assert found["counterexample"][-1].startswith("from here on, again and again: x: Walk ends")
+    assert "x ends Walk" in found["scenario"]
 
 
 def test_what_opens_a_conversation_may_have_been_prepared_by_nobody(here: Here, folder: Path) -> None:

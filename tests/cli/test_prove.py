@@ -246,7 +246,10 @@ def test_a_crash_is_looked_at_where_it_is_assumed(prove) -> None:  # type: ignor
 def test_wrong_use_and_files_with_errors(prove) -> None:  # type: ignore[no-untyped-def]
     done = prove(BUY, "deadlok")
     assert done.code == 2
-    assert "nothing is called deadlok; there are Look@seller before Pay@buyer, deadlock," in done.err
+    assert "no property, clause or question is called `deadlok`; did you mean `deadlock`?" in done.err
+    assert "there are `Look@seller before Pay@buyer`, `deadlock`," in prove(BUY, "").err
+    none = prove(BUY, "buy", "agreement").err
+    assert "`agreement` has no answer: no protocol of the file has two outcomes" in none
     assert prove(BUY.replace("Choose .", "Choose ..")).code == 1
 
 

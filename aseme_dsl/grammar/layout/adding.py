@@ -24,12 +24,25 @@ def addition(text: str, roles: str, case: str) -> str | None:
         if bare(_laid_out(_titled(title, case))) in bare(text):
             return None
         title, number = f"{found[1]} {number}", number + 1
-    missing = [
-        line for line in roles.splitlines() if not re.search(rf"\bsrm\s+{re.escape(line.split()[1])}\b", text)
-    ]
+    missing = [line for line in roles.splitlines() if not _declares(text, *line.split()[:2])]
     added = "".join(f"{line}\n" for line in missing) + _titled(title, case)
     between = "\n" if text.endswith("\n") or not text else "\n\n"
     return between + _laid_out(added)
+
+
+def titled_apart(text: str, case: str) -> str:
+    """A scenario with a title that none in a text has: a number is added if it is in use."""
+    there = {found[1] for found in _TITLE.finditer(text)}
+    found = _TITLE.match(case)
+    assert found is not None
+    title, number = found[1], 2
+    while title in there:
+        title, number = f"{found[1]} {number}", number + 1
+    return _titled(title, case)
+
+
+def _declares(text: str, word: str, name: str) -> bool:
+    return re.search(rf"\b{word}\s+{re.escape(name)}\b", text) is not None
 
 
 def _titled(title: str, case: str) -> str:
@@ -46,4 +59,4 @@ def bare(text: str) -> str:
     return _PIECE.sub(lambda found: found[0] if found[0].startswith('"') else " ", text).strip()
 
 
-__all__ = ["addition", "bare"]
+__all__ = ["addition", "bare", "titled_apart"]

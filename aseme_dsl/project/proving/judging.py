@@ -43,6 +43,8 @@ from aseme_dsl.source import is_library_path
 
 CUT = "the search was cut after"
 """The reason of an answer for which a search was too short, before how long that was."""
+ROUND = "from here on, again and again: "
+"""What stands before the first line of a round that may repeat for ever."""
 _LONG = 3600 * SECOND
 """So long a scenario waits for what does not come (ns)."""
 _GAPS = (10**9, 10**8, 10**7, 10**6, 10**3, 0)
@@ -522,7 +524,8 @@ class Judge:
         expects: Sequence[str] = (),
     ) -> Result:
         """A run speaks against it, if it happens; it ends with one `round_` of what may repeat for ever."""
-        lines = tuple(step.text for step in steps) or ("at the start",)
+        again = [f"{'' if number else ROUND}{step.text}" for number, step in enumerate(round_)]
+        lines = (*(step.text for step in steps), *again) or ("at the start",)
         found = self._result(name, Verdict.REFUTED, reason, lines, item, item is None)
         run = Run(f"{name} of {self._scope.what}", self._scope.team, further, expects)
         may_not = bool(self._assumed.times) and any(step.passes for step in steps)
@@ -543,11 +546,14 @@ class Judge:
         at: Sequence[int] | None = None,
     ) -> Result:
         """What a run speaks against, once it was played; `at` are the moments of its moves, if known."""
+        if self._assumed.contradiction:  # no run is like that
+            why = f"vacuous: {self._assumed.contradiction}"
+            return replace(found, verdict=Verdict.UNDECIDED, reason=why, counterexample=())
         if self._explored.values.may_be_any:
             return replace(found, verdict=Verdict.UNDECIDED, is_abstract=True)
         replay = written(self._explored, self._first, steps, run, at)
         if not replay.problem:
-            replay = played(self._scope.root, replay, self._loaded, item)
+            replay = played(self._scope.root, replay, self._loaded, item, self._system)
         if replay.problem:
             why = f"abstract: the run found is none of a team: {replay.problem}"
             reason = f"{found.reason}; {why}" if found.reason else why

@@ -27,6 +27,7 @@ from aseme_dsl.play.scenario import (
 from aseme_dsl.project.building.build import choose
 from aseme_dsl.project.building.project import Compiled, compile_root
 from aseme_dsl.project.playing.operate import generate_version
+from aseme_dsl.project.proving.asking import not_there
 from aseme_dsl.project.proving.contradicting import contradiction_in
 from aseme_dsl.project.proving.judging import (
     Answers,
@@ -38,10 +39,11 @@ from aseme_dsl.project.proving.judging import (
 )
 from aseme_dsl.project.proving.pairs import by_pairs, equal_in
 from aseme_dsl.project.proving.results import BUILT_IN, Bounds, Key, Result, Verdict
-from aseme_dsl.project.proving.scopes import TEAM, Scope, scopes_of
+from aseme_dsl.project.proving.scopes import TEAM, Scope, agents_of, is_for_a_run, scopes_of
 from aseme_dsl.project.proving.searches import Purse, among_others, in_parts
 from aseme_dsl.project.proving.watched import (
     Watched,
+    as_written,
     asked_by,
     hears,
     is_timed,
@@ -88,12 +90,13 @@ def prove(
     told: Callable[[str], None] = lambda text: None,
     horizon: int | None = None,
     only: Collection[str] = (),
+    must_be_there: bool = True,
 ) -> tuple[Result, ...]:
     """What holds in all runs of a system without errors; `asked` are names of what to answer, all if none.
 
     With `robots` agents of each role, and of each participant, that has several. `told` hears what is done.
     Where times are measured, that is up to the `horizon` (ns), if there is one. `only` says which of the
-    team and the protocols alone are explored, all if none; then nothing asked for needs to be there.
+    team and the protocols alone are explored, all if none. What is asked for `must_be_there` in one of them.
 
     Raises:
         NotThere: nothing is called as one of `asked`; the text lists what there is.
@@ -111,9 +114,8 @@ def prove(
     found += _unsaid(compiled, asked, found, only)
     names = {*known, *(item.name for item in found)}
     missing = next((name for name in asked if name not in names), None)
-    if missing is not None and not only:
-        there = dict.fromkeys((*known, *(item.name for item in found))) if found else (*known, *BUILT_IN)
-        raise NotThere(f"nothing is called {missing}; there are {', '.join(there)}")
+    if missing is not None and must_be_there:
+        raise NotThere(not_there(missing, tuple(known)))
     return tuple(item for item in found if not asked or item.name in asked)
 
 
@@ -137,7 +139,12 @@ def _explored(
     if own.system is None:
         wrong = next(item for item in own.diagnostics if item.severity is Severity.ERROR)
         reason = f"it cannot be played alone: {wrong.message}"
-        yield Result(scope.what, scope.what, Verdict.UNDECIDED, Bounds(scope.agents), reason)
+        assert compiled.system is not None
+        aip = next(item for item in compiled.system.aips if item.name == scope.protocol)
+        known |= {as_written(item.span): "clause" for item in aip.clauses}
+        names = [name for name in asked if name in known or name in BUILT_IN] if asked else [scope.what]
+        for name in names:
+            yield Result(name, scope.what, Verdict.UNDECIDED, Bounds(scope.agents), reason)
         return
     (script,) = watched_of(own.inspection, dict(scope.team)).scripts
     own_script = of_scope(script, scope)
@@ -369,7 +376,7 @@ def _unsaid(
     assert system is not None
     if only and TEAM not in only:
         return
-    agents = system.agents
+    agents = agents_of(system)
     bounds = Bounds(next((item.bounds.agents for item in found if item.of == TEAM), "no agent"))
     answered = {item.key for item in found}
     (script,) = watched_of(compiled.inspection, agents).scripts
@@ -385,6 +392,8 @@ def _unsaid(
         if name in asked and name not in names:
             yield Result(name, TEAM, Verdict.UNDECIDED, bounds, _VACUOUS.get(name, _EMPTY), is_built_in=True)
     for chart in () if asked else system.iacs:
+        if is_for_a_run(chart.name):
+            continue
         if chart.name not in agents.values() and _is_own(chart.span, system):
             name, reason = f"role {chart.name}", "it is not explored: no agent has this role"
             yield Result(name, TEAM, Verdict.UNDECIDED, bounds, reason, span=chart.span, is_built_in=True)

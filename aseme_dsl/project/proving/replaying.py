@@ -7,10 +7,14 @@ from dataclasses import replace
 from pathlib import Path
 
 from aseme_dsl import outside
+from aseme_dsl.amola.system import System
 from aseme_dsl.compiler.phases import inspect_files, scenarios_of
 from aseme_dsl.diagnostics import Severity, in_order
+from aseme_dsl.grammar.layout.adding import titled_apart
 from aseme_dsl.play.run import NotPlayable, Played, play
 from aseme_dsl.play.scenario import GUARANTEE, Expectation, Scenario
+from aseme_dsl.play.sight.guards import Guards
+from aseme_dsl.project.building.build import choose, with_labels
 from aseme_dsl.project.building.project import configuration_for, options_of
 from aseme_dsl.project.proving.counterexample import Run, scenario_of
 from aseme_dsl.proofs.explore.explored import Explored
@@ -52,11 +56,13 @@ def written(
         return Replay(problem=str(problem))
 
 
-def played(root: Path | Source, found: Replay, loaded: Loaded, of: Expectation | None) -> Replay:
+def played(
+    root: Path | Source, found: Replay, loaded: Loaded, of: Expectation | None, system: System
+) -> Replay:
     """A scenario as it went with the files of `root`. There is a problem unless it breaks an expectation:
-    that which it is `of`, if there is one, or one of its own."""
+    that which it is `of`, if there is one, or one of its own. Its story needs the `system`."""
     source = root if isinstance(root, Source) else Source(str(root), outside.read_text(root))
-    whole = Source(source.path, f"{source.text}\n{found.text}")
+    whole = Source(source.path, f"{source.text}\n{titled_apart(source.text, found.text)}")
     configuration, _ = configuration_for(Path(source.path))
     inspection = inspect_files(whole, None, options_of(configuration))
     diagnostics = in_order(inspection.analysis.diagnostics)
@@ -67,6 +73,8 @@ def played(root: Path | Source, found: Replay, loaded: Loaded, of: Expectation |
     if scenario.refused is not None and not scenario.scripts:  # otherwise that is a property
         return replace(found, problem=f"{scenario.refused.reason}: `{_line(scenario.refused.span)}`")
     (script,) = scenario.scripts
+    labelled = with_labels(system, choose(configuration).labels)
+    guards = Guards({chart.name: chart for chart in labelled.iacs}, labelled.activities, labelled.messages)
     kept = tuple(item for item in script.expectations if _is(item, of) or item.of.startswith(GUARANTEE))
     try:
         run = play(
@@ -76,6 +84,7 @@ def played(root: Path | Source, found: Replay, loaded: Loaded, of: Expectation |
             {},
             lambda activity: None,
             script.until,
+            guards=guards,
         )
     except NotPlayable as problem:
         return replace(

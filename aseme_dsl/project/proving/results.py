@@ -22,6 +22,11 @@ class Verdict(StrEnum):
     UNDECIDED = "UNDECIDED"
 
 
+def states_text(count: int) -> str:
+    """`1 state`, `76 states`."""
+    return f"{count} state" if count == 1 else f"{count} states"
+
+
 @dataclass(frozen=True, slots=True)
 class Bounds:
     """How far an answer goes: for which agents, under what, and in how many states, if any were explored."""
@@ -43,7 +48,7 @@ class Bounds:
         if self.states is not None:
             few = [f"{self.few} in which only some agents move"] if self.few else []
             long = [f"{self.long} of long runs"] if self.long else []
-            *others, last = (f"{self.states} states", *few, *long)
+            *others, last = (states_text(self.states), *few, *long)
             yield f"{', '.join(others)} and {last}" if others else last
 
 
@@ -107,4 +112,4 @@ class Result:
         }
 
 
-__all__ = ["BUILT_IN", "Bounds", "Case", "Key", "Result", "Verdict"]
+__all__ = ["BUILT_IN", "Bounds", "Case", "Key", "Result", "Verdict", "states_text"]

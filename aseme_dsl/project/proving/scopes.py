@@ -59,20 +59,38 @@ def scope_of(root: Path | Source, aip: Aip, robots: int, names: Set[str] = froze
     What a participant is given comes from outside, as a state that may change at any time.
     """
     source = root if isinstance(root, Source) else Source(str(root), outside.read_text(root))
-    text = "".join(_role(aip.name, part) for part in aip.participants)
+    texts = [_role(aip.name, part) for part in aip.participants]
     team = tuple(
         (_free(f"{part.name}{number}" if count > 1 else part.name, names), role_of(aip.name, part.name))
         for part in aip.participants
         for count in (_count(part, robots),)
         for number in range(1, count + 1)
     )
-    whole = Source(source.path, f"{source.text}\n\n{text}")
-    return Scope(f"protocol {aip.name}", whole, team, aip.name, text)
+    there = _in_one_line(source.text)
+    missing = [text for text in texts if _in_one_line(text) not in there]  # a saved counterexample has them
+    whole = Source(source.path, f"{source.text}\n\n{''.join(missing)}")
+    return Scope(f"protocol {aip.name}", whole, team, aip.name, "".join(texts))
+
+
+def _in_one_line(text: str) -> str:
+    return " ".join(text.split())
 
 
 def role_of(protocol: str, participant: str) -> str:
     """The role that plays a participant and nothing else."""
     return f"{_PREFIX}{protocol}_{participant}"
+
+
+def agents_of(system: System) -> dict[str, str]:
+    """The agents of the system, with their roles: without a team also none for a saved counterexample."""
+    if any(team.agents for team in system.teams):
+        return system.agents
+    return {name: role for name, role in system.agents.items() if not is_for_a_run(role)}
+
+
+def is_for_a_run(role: str) -> bool:
+    """Whether a role is there for a counterexample only, by its name."""
+    return role.startswith(_PREFIX)
 
 
 def _free(name: str, names: Set[str]) -> str:
@@ -106,11 +124,11 @@ def _team(system: System, robots: int) -> tuple[tuple[str, str], ...]:
     """The agents of the system, so many of each role that has several."""
     counts: Counter[str] = Counter()
     kept = []
-    for name, role in system.agents.items():
+    for name, role in agents_of(system).items():
         counts[role] += 1
         if counts[role] <= robots:
             kept.append((name, role))
     return tuple(kept)
 
 
-__all__ = ["TEAM", "Scope", "role_of", "scope_of", "scopes_of"]
+__all__ = ["TEAM", "Scope", "agents_of", "is_for_a_run", "role_of", "scope_of", "scopes_of"]

@@ -63,6 +63,7 @@ from aseme_dsl.runtime.monitor.rules import (
     conditions_of,
     ended,
 )
+from aseme_dsl.source import Span
 
 _PARTS: Mapping[type, tuple[str, ...]] = {
     Observer: (
@@ -365,8 +366,13 @@ def _rule_from_now(rule: Rule) -> Rule:
 def named(item: Expectation) -> str:
     """The name of a property; a clause is called as it is written."""
     if item.of.startswith("clause"):
-        return " ".join(item.span.text.split()).removeprefix("clause ")
+        return as_written(item.span)
     return item.of.removeprefix("property ").strip('"')
+
+
+def as_written(clause: Span) -> str:
+    """What a clause says, in one line."""
+    return " ".join(clause.text.split()).removeprefix("clause ")
 
 
 def key_of(item: Expectation) -> Key:

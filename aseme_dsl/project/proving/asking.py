@@ -1,0 +1,53 @@
+"""Asking: what the names stand for that `asemec prove` is given, and what to say of those that are none."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from aseme_dsl.diagnostics.suggest import closest
+from aseme_dsl.diagnostics.wording import did_you_mean, listed
+from aseme_dsl.grammar.text import tree
+from aseme_dsl.project.building.project import Compiled
+from aseme_dsl.project.proving.results import BUILT_IN
+from aseme_dsl.source import is_library_path
+
+TEAM = "team"
+_TALKS = "no agent here has agent messages"
+_NEEDS = {
+    "agreement": "no protocol of the file has two outcomes that say `when`",
+    "orphan messages": _TALKS,
+    "non-local choice": _TALKS,
+}
+"""Why a question may have no answer."""
+
+
+def narrowed(compiled: Compiled, asked: Sequence[str]) -> tuple[tuple[str, ...], tuple[str, ...]]:
+    """What is explored of the team and the protocols alone, all if none; and the names of what to answer.
+
+    Protocols are asked for by their names. A property with the same title comes first.
+    """
+    assert compiled.system is not None
+    titles = {
+        item.title.text
+        for file in compiled.inspection.loaded.files
+        for item in file.must_hold
+        if isinstance(item, tree.Property)
+    }
+    own = [item.name for item in compiled.system.aips if not is_library_path(item.span.source.path)]
+    parts = {TEAM: TEAM, **{name: f"protocol {name}" for name in own}}
+    parts = {name: what for name, what in parts.items() if name not in titles}
+    only = dict.fromkeys(parts[name] for name in asked if name in parts)
+    return tuple(only), tuple(name for name in asked if name not in parts)
+
+
+def not_there(name: str, there: Sequence[str]) -> str:
+    """That nothing is called so: with the most similar name, or with all of them."""
+    if name in _NEEDS:
+        return f"`{name}` has no answer: {_NEEDS[name]}"
+    names = list(dict.fromkeys((*there, *BUILT_IN)))
+    similar = closest(name, names)
+    hint = did_you_mean(similar) if similar is not None else f"there are {listed(names)}"
+    return f"no property, clause or question is called `{name}`; {hint}"
+
+
+__all__ = ["narrowed", "not_there"]
