@@ -159,7 +159,7 @@ def test_a_wait_that_nothing_ends_is_shown_with_the_shortest_run(prove) -> None:
     assert done.code == 1
     assert done.out == (
         "REFUTED   deadlock of protocol buy: seller waits after Look for ever for [there]"
-        " [1 buyer, 1 seller; any delay; 154 states]\n"
+        " [1 buyer, 1 seller; any delay; 156 states]\n"
         "    1  buyer: Choose ends\n"
         "    2  seller gets request Order of buyer\n"
         "    3  seller: Look ends; seller: there is False\n"

@@ -22,6 +22,7 @@ from aseme_dsl.proofs.explore.alone import Alone, Sent, fixed_in, measured, read
 from aseme_dsl.proofs.explore.coming import Coming
 from aseme_dsl.proofs.explore.deciding.acting import Acting, Free
 from aseme_dsl.proofs.explore.deciding.choosing import Choices
+from aseme_dsl.proofs.explore.deciding.joining import Joining, name_of
 from aseme_dsl.proofs.explore.deciding.later import Contents, Later
 from aseme_dsl.proofs.explore.deciding.order import Order
 from aseme_dsl.proofs.explore.deciding.others import Others
@@ -170,8 +171,10 @@ class Explored:
         self._with_times = with_times
         self.moved = 0
         """How many moves were made; with times, the number of the present one."""
-        self.came: Came | None = None
-        """What has come in the present move."""
+        self.came: list[Came] = []
+        """What has come in the present move from other agents, on channels."""
+        self.joined: list[Underway] = []
+        """What of that has come with something else."""
         self.alone = alone
         self.sent: list[Sent] = []
         """When that was sent which has come in the present move, if it was not then."""
@@ -274,6 +277,9 @@ class Explored:
         self.order.is_of_others = bool(self._of_others)
         self._steady = Steady(plans, coming, acting, with_times or alone is not None)
         self._events = {plan.name: events(plan) for plan in plans}
+        self._joining = Joining(
+            *(plans, self._events, self.ways, coming, self.bus, self.choices, self._arrive_with)
+        )
         self._ages = {plan.name: thresholds_of(plan)[0] for plan in plans}
         own = {agent.role: coming.own(agent) for agent in self.agents}
         if asked is not None:
@@ -389,7 +395,7 @@ class Explored:
         """Whether an agent makes a move of this kind by itself, and nothing of others has come in it."""
         if self.others is None:
             return True
-        if self.others.has_come:
+        if self.others.has_come or not self._of_others.isdisjoint(self._joining.came):
             return False
         match kind:
             case ("other", *_):
@@ -618,7 +624,9 @@ class Explored:
         self.arriving = None
         self.windows.clear()
         self.sent.clear()
-        self.came = None
+        self.came.clear()
+        self.joined.clear()
+        self._joining.came.clear()
         self._touched.clear()
         self._outcomes.begin(is_quiet=move.is_idle)
         if self.others is not None:
@@ -630,12 +638,26 @@ class Explored:
         try:
             self._touch(move.agent)
             move.do()
+            self._join(move)
             self._settle()
             if self._with_times:
                 self._begin_anew()
         finally:
             self._is_moving = False
             self.coming.end()
+
+    def _join(self, move: Move) -> None:
+        """Let more come at the same moment. What comes to an agent alone may be there at any time."""
+        match move.kind:
+            case ("input" | "event", name, what):
+                item = None
+            case ("arrive", _, name, _) if self.arriving is not None:
+                item, what = self.arriving, name_of(self.arriving)
+            case _:
+                return
+        agent = self._named[name]
+        if self.alone is None and not agent.over and not agent.down:
+            self._joining.join(agent, what, item)
 
     def _begin_anew(self) -> None:
         """What has begun after a pause counts the next one from now."""
@@ -842,12 +864,22 @@ class Explored:
         self.arriving = item
         self._give(receiver, item)()
 
+    def _arrive_with(self, receiver: str, waiting: list[Underway], item: Underway) -> None:
+        """What is on its way comes at the same moment as something else."""
+        waiting.remove(item)
+        self.joined.append(item)
+        if item.crosses:
+            self.arriving = item
+        if self._with_times and (when := self._on_the_way(item)) is not None:
+            self.windows.append(when)
+        self._give(receiver, item)()
+
     def _give(self, receiver: str, item: Underway) -> Callable[[], None]:
         """What gives a message, which may have become old on its way, to its receiver."""
         if self.bus._routes.measured(item.what, NOW) is not None:
             return item.give
         came = come(item, self._ages[self._roles[receiver]].get(item.what, ()), self.choices)
-        self.came = came
+        self.came.append(came)
         if came.window is not None:
             self.windows.append(came.window)
         return came.give

@@ -237,6 +237,7 @@ class _Retrace:
                 explored.picture()
                 self._note_lasting()
                 if self._moments is None:
+                    self._keep_joined()
                     self._tie_age()
                     self._note_origins()
                     if aged is not None:
@@ -397,6 +398,12 @@ class _Retrace:
                     pass  # what it stands for is heard, too
                 case ("steps", _):
                     pass  # what it does not take at once, it takes with what comes
+                case ("joins", "way", str() as sender, str() as agent, str() as channel, _):
+                    if value:
+                        self._add(Arrives(agent, sender, channel, False))
+                case ("joins", "event", str() as agent, str() as event):
+                    if value:
+                        self._add(Event(agent, event))
                 case ("age", *_):
                     pass  # its moment makes it old
                 case ("random", str() as agent, _):
@@ -540,6 +547,13 @@ class _Retrace:
         if bounds is not None:
             self._ties.append(Tie(self._step, _step_of(since), *bounds))
 
+    def _keep_joined(self) -> None:
+        """What has come with something else takes as long as is assumed, too."""
+        for item in self._explored.joined:
+            bounds = self._explored.on_the_way(item)
+            if bounds is not None:
+                self._ties.append(Tie(self._step, _step_of(item.sent), *bounds))
+
     def _await_assumed(self) -> None:
         """What is on its way at the end, and runs there, may still come in time."""
         explored = self._explored
@@ -556,8 +570,9 @@ class _Retrace:
 
     def _tie_age(self) -> None:
         """What has come in this move is as old as was decided."""
-        came = self._explored.came
-        if came is not None and isinstance(came.since, _Marked):
+        for came in self._explored.came:
+            if not isinstance(came.since, _Marked):
+                continue
             if came.least:
                 self._ties.append(just(self._step, came.since.step, came.least))
             elif came.until is not None:

@@ -383,7 +383,7 @@ class Search:
             return
         text = "; ".join((move.text, *explored.choices.said))
         self._judge()
-        passes = move.passes or bool(explored.came and explored.came.least)
+        passes = move.passes or any(came.least for came in explored.came)
         step = Step(number, explored.choices.way(), text, passes, kind=move.kind)
         target = self._note((state, step))
         self._look((state, step))

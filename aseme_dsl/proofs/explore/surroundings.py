@@ -6,7 +6,7 @@ deadline. Each may come at any moment and in any order, so runs of any speed are
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager, nullcontext
 from dataclasses import field, replace
 from functools import partial
@@ -109,6 +109,16 @@ class Underway:
         return self.kind in ("data", "radio")
 
 
+def next_of(waiting: Sequence[Underway]) -> Iterator[Underway]:
+    """What may come next of all that is on one way."""
+    held: set[str] = set()
+    for item in waiting:
+        line = item.what if item.overtakes else ""
+        if line not in held:
+            held.add(line)
+            yield item
+
+
 @dataclass(slots=True)
 class Ways:
     """The links between the agents: what was sent from one to another, the oldest first."""
@@ -145,4 +155,4 @@ class Ways:
         self.ways.setdefault((sender, receiver), []).append(item)
 
 
-__all__ = ["NOW", "Still", "Underway", "Ways"]
+__all__ = ["NOW", "Still", "Underway", "Ways", "next_of"]
