@@ -97,6 +97,26 @@ property "it holds" { never one has [sum == 2] }
             % (SUMS, "boss : leader", "sum == 2"),
             id="a state that is replaced before it is seen",
         ),
+        pytest.param(
+            HEAD % "state A"
+            + LEADER % "enter Talk : / hall.state.A.n = 1; write_messages.hall.state.A"
+            + FOLLOWER
+            % (
+                "go [hall.state.A.n == 1 && sum == 0] / sum = 2"
+                "  repeat Idle : when [hall.state.A.n == 1 && sum == 0] / sum = 1",
+                "boss : leader",
+                "sum == 2",
+            ),
+            id="an event and a state",
+        ),
+        pytest.param(
+            HEAD % "signal A from outside"
+            + FOLLOWER.replace("Idle~", "Grasp . Idle")
+            .replace("Idle waits", "Grasp takes 1s ends held, slipped  Idle waits")
+            .replace("repeat Idle : %s", "enter Idle : %s  enter Idle : / sum = 1")
+            % ("when [hall.signal.A.n == 1 && outcome(Grasp) == held] / sum = 2", "", "sum == 2"),
+            id="a signal and the end of an activity",
+        ),
         pytest.param(TALK, id="agent messages of which a later line awaits the first"),
     ],
 )

@@ -22,7 +22,7 @@ from aseme_dsl.proofs.explore.alone import Alone, Sent, fixed_in, measured, read
 from aseme_dsl.proofs.explore.coming import Coming
 from aseme_dsl.proofs.explore.deciding.acting import Acting, Free
 from aseme_dsl.proofs.explore.deciding.choosing import Choices
-from aseme_dsl.proofs.explore.deciding.joining import Joining, name_of
+from aseme_dsl.proofs.explore.deciding.joining import Joining, end_of, name_of
 from aseme_dsl.proofs.explore.deciding.later import Contents, Later
 from aseme_dsl.proofs.explore.deciding.order import Order
 from aseme_dsl.proofs.explore.deciding.others import Others
@@ -651,6 +651,9 @@ class Explored:
         match move.kind:
             case ("input" | "event", name, what):
                 item = None
+            case ("end", name, label):
+                plan = self._named[name].plan
+                item, what = None, end_of(plan.by_label[label].activity or "")
             case ("arrive", _, name, _) if self.arriving is not None:
                 item, what = self.arriving, name_of(self.arriving)
             case _:
@@ -698,6 +701,8 @@ class Explored:
             text = f"{execution.agent}: {execution.activity} ends"
             when = self._lasting(execution)
             end, is_idle = partial(self._end, execution), self._steady.is_idle(execution)
+            if self._joining.joins(self._named[execution.agent], end_of(execution.activity)):
+                is_idle = False  # what comes with its end is tried, too
             yield Move(kind, text, end, execution.agent, window=when, is_idle=is_idle)
             if execution.activity in self._assumed.fails:
                 kind = ("fail", execution.agent, execution.label)

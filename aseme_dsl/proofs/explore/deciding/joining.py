@@ -22,7 +22,8 @@ from aseme_dsl.runtime.chart.plan import Plan, Transition, is_in, terms_in
 _Related = Mapping[str, frozenset[str]]
 """What may come, with what makes a difference if it comes in the same step.
 
-Signals by their channels, events by their names, agent messages by what they are called (see `name_of`).
+Signals by their channels, events by their names, agent messages by what they are called (see `name_of`), ends
+of activities as `end_of` says.
 """
 _LOSS = "lost "
 
@@ -63,6 +64,10 @@ class Joining:
         self.came: list[str] = []
         """What else has come in the present move."""
 
+    def joins(self, agent: Agent, what: str) -> bool:
+        """Whether it makes a difference for an agent if something else comes with this."""
+        return what in self._related[agent.role]
+
     def join(self, agent: Agent, first: str, item: Underway | None) -> None:
         """Something has come to an agent: a channel or an event, and what was on its way, if it was."""
         self.came.clear()
@@ -90,8 +95,7 @@ class Joining:
                 what = name_of(item)
                 is_next = sender in senders and not item.overtakes
                 is_newer = is_next and what in here and what not in self._queued[agent.role]
-                is_beside = what in beside and (is_next or is_signal(what))
-                if is_beside or (is_newer and item.kind != "mail"):
+                if what in beside or (is_newer and item.kind != "mail"):
                     question = ("joins", "way", sender, receiver, what.strip(), item.identity)
                     text = f"{receiver} gets {what.strip()} of {sender} at the same moment"
                     do = partial(self._arrive, receiver, waiting, item)
@@ -110,6 +114,11 @@ class Joining:
         """Whether it is a signal that may come from outside."""
         is_input = is_signal(what) and what in self._coming.inputs[agent.name]
         return is_input and self._coming.may_change(agent, what)
+
+
+def end_of(activity: str) -> str:
+    """What the end of an activity is called."""
+    return f"end {activity}"
 
 
 def name_of(item: Underway) -> str:
@@ -133,9 +142,10 @@ def related_in(plan: Plan) -> _Related:
     found: dict[str, frozenset[str]] = {}
     for item in plan.transitions:
         asked = frozenset(name for way in _on_from(plan, item, lines) for name in _asked(way))
+        ended = frozenset(_ends(plan, item))
         for what in _asked(item):
             if is_signal(what) or "." not in what:
-                found[what] = found.get(what, frozenset()) | asked - {what}
+                found[what] = found.get(what, frozenset()) | (asked | ended) - {what}
     for what, others in [*found.items()]:  # it makes no difference which of them comes first
         for other in others:
             if is_signal(other) or "." not in other:
@@ -185,6 +195,15 @@ def _on_from(
                 ]
 
 
+def _ends(plan: Plan, item: Transition) -> Iterator[str]:
+    """The activities for whose end a transition asks: for their outcomes, or what they write."""
+    terms = [*terms_in((item.condition,))]
+    variables = {str(term[1]).partition("@")[0] for term in terms if term[:1] == ("variable",)}
+    for info in plan.activities:
+        if ("outcome", info.name) in terms or not variables.isdisjoint(info.writes):
+            yield end_of(info.name)
+
+
 def _asked(item: Transition) -> Iterator[str]:
     """The channels and the events for which a transition asks."""
     for event in item.events:
@@ -196,4 +215,4 @@ def _asked(item: Transition) -> Iterator[str]:
                 yield channel
 
 
-__all__ = ["Joining", "is_signal", "name_of", "related_in"]
+__all__ = ["Joining", "end_of", "is_signal", "name_of", "related_in"]
