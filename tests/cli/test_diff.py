@@ -160,6 +160,14 @@ def test_the_shortest_run_that_shows_a_difference(
     assert set(new) <= set(first[2])
 
 
+@pytest.mark.parametrize("format", ["text", "github"])
+def test_a_let_that_is_another_one_is_shown_where_it_is_used(here: Here, format: str) -> None:
+    done = compare(here, KICK, changed(KICK, ("distance < 30", "distance < 20")), "--format", format)
+    for limit in (30, 20):
+        near = f"enter Kick : [vision.state.Ball.distance < {limit} && vision.state.Ball.visible]"
+        assert near in done.out, done.out
+
+
 def test_a_longer_wait_is_seen_when_the_time_has_passed(here: Here) -> None:
     done = compare(here, ASK, changed(ASK, ("after(10s)", "after(20s)")), "--json")
     assert done.code == 1

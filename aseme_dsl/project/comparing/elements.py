@@ -23,7 +23,7 @@ class Element:
 
     `owner` is what it belongs to: a role, a protocol, a participant (`attack.center`), or nothing. `meaning`
     is equal for two that mean the same, `text` is for readers. What does not `matter` to runs is for readers
-    of the document only.
+    of the document only. `whole` is the text with what each `let` in it stands for.
     """
 
     kind: str
@@ -33,6 +33,7 @@ class Element:
     text: str
     span: Span
     matters: bool = True
+    whole: str = ""
 
     @property
     def key(self) -> tuple[str, str, str]:
@@ -154,7 +155,8 @@ def _chart(chart: Statechart) -> Iterator[Element]:
         name = _numbered(head, counts[key])
         meaning = f"{transition.kind} {transition.resume} {_meaning(transition.expression)}"
         lines.setdefault((owner, transition.source), []).append(transition)
-        yield Element("transition", owner, name, meaning, _one_line(transition), transition.span)
+        whole = f"{head} : {_in_full(transition.expression)}"
+        yield Element("transition", owner, name, meaning, _one_line(transition), transition.span, whole=whole)
     for (owner, _), items in lines.items():
         tried = sorted((i for i in items if not i.expression.otherwise), key=lambda item: item.priority)
         heads = [_head(item) for item in tried]
@@ -230,6 +232,13 @@ def _expression(item: TransitionExpression) -> str:
     condition = "" if item.condition is None else value_text(item.condition, expand=True)
     actions = "; ".join(action_text(action, expand=True) for action in item.actions)
     return f"{events_text(item) or ''} [{condition}] {item.weight or ''} / {actions}"
+
+
+def _in_full(item: TransitionExpression) -> str:
+    """The same, for readers."""
+    condition = "" if item.condition is None else f"[{value_text(item.condition, expand=True)}]"
+    actions = "; ".join(action_text(action, expand=True) for action in item.actions)
+    return " ".join(filter(None, (events_text(item), condition, f"/ {actions}" if actions else "")))
 
 
 _UNORDERED = frozenset(("uses", "reads", "writes", "writes_variables", "reads_variables"))

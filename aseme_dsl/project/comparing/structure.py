@@ -77,9 +77,16 @@ def changes_of(old: Sequence[Element], new: Sequence[Element]) -> Structure:
         if other is None:
             changes.append(Change(Sort.REMOVED, originals[key], None))
         elif other.meaning != item.meaning:
-            changes.append(Change(Sort.CHANGED, originals[key], other))
+            changes.append(Change(Sort.CHANGED, *_told_apart(originals[key], other)))
     changes += [Change(Sort.ADDED, None, item) for key, item in theirs.items() if key not in ours]
     return Structure(tuple(_without_consequences(changes)), names)
+
+
+def _told_apart(old: Element, new: Element) -> tuple[Element, Element]:
+    """Two elements with texts that differ: if only a `let` is another one, with what it stands for."""
+    if old.text != new.text or old.whole == new.whole:
+        return old, new
+    return replace(old, text=old.whole), replace(new, text=new.whole)
 
 
 def _renaming(old: Sequence[Element], new: Sequence[Element]) -> tuple[Element, Element] | None:
