@@ -90,7 +90,7 @@ IN_TIME = "every Look@seller leads to Close@seller within 3s"
         (NUMBER, "this condition", "a.aseme:24:"),
         (BUY + AGAIN, "that its agent plays again", "a.aseme:29:52"),
         (MISUNDERSTOOD, "the answer not_understood", "a.aseme:4:5"),
-        (BUY.replace("clause Look", f"clause {IN_TIME}\n  clause Look"), "of this kind", "a.aseme:16:"),
+        (BUY.replace("clause Look", f"clause {IN_TIME}\n  clause Look"), "with a time", "a.aseme:16:"),
     ],
 )
 def test_what_it_cannot_say_is_refused_with_its_place(

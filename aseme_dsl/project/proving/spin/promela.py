@@ -481,6 +481,8 @@ class _Model:
                 case LeadsTo(first, second, None):
                     one, two = self._inside(first, at), self._seen(second, at)
                     yield f"ltl {name} {{ [] (({one}) -> <> ({two})) }}"
+                case LeadsTo() | Never():
+                    raise NotSaid("a clause or property with a time", at)
                 case _:
                     raise NotSaid("a clause or property of this kind", at)
 
