@@ -82,7 +82,7 @@ def command(
     from aseme_dsl.project.observing.observe import observe
     from aseme_dsl.project.observing.session import NoModel, Session, Tell
     from aseme_dsl.project.settings.target import all_traces_of
-    from aseme_dsl.runtime.trace.trace_files import TraceError
+    from aseme_dsl.runtime.trace.trace_files import MCAP_SUFFIX, TraceError
 
     if duration is not None and not live:
         raise click.UsageError("--for requires --live.")
@@ -90,6 +90,9 @@ def command(
     if wrong:
         print_diagnostics(wrong, colour)
         return 1
+    packed = next((path for path in paths if live and path.suffix == MCAP_SUFFIX), None)
+    if packed is not None:
+        raise click.UsageError(f"--live cannot follow {packed}: an MCAP file is read when it is complete.")
     given: Model | None = None
     if model is not None:
         compiled = one_system(model)
@@ -106,6 +109,9 @@ def command(
         else:
             observed, problems = observe(paths, session)
     except NoModel as problem:
+        if paths[0].suffix == MCAP_SUFFIX:
+            say_unreadable(f"{paths[0]} is not an MCAP file", paths[0], colour)
+            return 1
         raise click.UsageError(f"{paths[0]} has no model in it: name it with --model FILE.") from problem
     except NotReplayable as problem:
         say_unreadable(f"{paths[0]} cannot be observed: {problem}", paths[0], colour)

@@ -81,7 +81,8 @@ class Showing:
             found.append(
                 lsp.Diagnostic(
                     place,
-                    f"`{answer.name}` of {answer.of} is refuted: {answer.reason}\n{answer.bounds}",
+                    f"`{answer.name}` of {answer.of} is refuted"
+                    f"{f': {answer.reason}' if answer.reason else ''}\n{answer.bounds}",
                     severity=lsp.DiagnosticSeverity.Warning,
                     code=CODE,
                     source=SOURCE,

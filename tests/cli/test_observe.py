@@ -393,6 +393,22 @@ def test_another_model(run: list[str], here: Here) -> None:
     assert (done.code, "the model has no role service, which ann plays" in done.out) == (0, True), done.out
 
 
+def test_a_file_that_was_not_run_has_no_log_of_another_one(run: list[str], here: Here) -> None:
+    Path("other.aseme").write_text("system Other\nsrm one { liveness { one = Walk } }\n")
+    for command in ("observe", "replay", "sniff"):
+        done = here(command, "other.aseme")
+        assert done.code == 1
+        assert "out has the last run of" in done.err and "not one of other.aseme" in done.err
+
+
+def test_what_is_no_mcap_and_what_cannot_be_followed(run: list[str], here: Here) -> None:
+    Path("bad.mcap").write_text("hello")
+    done = here("observe", "bad.mcap")
+    assert (done.code, "bad.mcap is not an MCAP file" in done.err) == (1, True), done.err
+    done = here("observe", "bad.mcap", "--live")
+    assert (done.code, "--live cannot follow bad.mcap: an MCAP file" in done.err) == (2, True), done.err
+
+
 def test_stories_are_drawn(run: list[str], here: Here) -> None:
     place = of_messages(run)[1]
     name = put([*run[: place + 1], *run[place:]])

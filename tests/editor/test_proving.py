@@ -293,7 +293,8 @@ async def test_what_is_saved_is_proved_when_it_is_wanted(project: Project) -> No
     put(project, "small.aseme", SMALL)
     title = await shown(project, "small.aseme", "property never rests", is_verdict)
     assert title.startswith("REFUTED · ")
-    assert "REFUTED" in (await lenses(project, "small.aseme"))["all"]
+    whole = (await lenses(project, "small.aseme"))["all"]
+    assert "REFUTED" in whole and not whole.rstrip().endswith(":")
     # A file with errors is not proved; the last verdict is that of another text.
     put(project, "small.aseme", SMALL.replace("Walk . Rest", "Walk . ."))
     await asyncio.sleep(0.3)

@@ -115,6 +115,20 @@ class NoTrace(Problem):
         return f"there is no trace {self.path}"
 
 
+class TraceOfAnother(Problem):
+    """What was built into the `folder` is the `source`, not the file that is called `path`."""
+
+    code = "E001"
+    path: str
+    folder: str
+    source: str
+    hint = "run it first, or name the trace"
+
+    @property
+    def message(self) -> str:
+        return f"{self.folder} has the last run of {self.source}, not one of {self.path}"
+
+
 # ---- E002, E003: files that are not text, or too large -----------------------------------------
 
 

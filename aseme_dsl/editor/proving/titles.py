@@ -38,7 +38,7 @@ def _verdicts(answers: Sequence[Answer]) -> str:
     if worst.verdict == "PROVED":
         return f"{said} · {worst.bounds}" if len({item.of for item in answers}) == 1 else said
     name = "" if len({item.name for item in answers}) == 1 else f"{worst.name} of "
-    return f"{said} · {name}{worst.of}: {worst.reason}"
+    return f"{said} · {name}{worst.of}" + (f": {worst.reason}" if worst.reason else "")
 
 
 def _cut(text: str) -> str:

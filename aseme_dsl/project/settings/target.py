@@ -151,6 +151,8 @@ def traces_of(target: Path, *, following: bool = False) -> tuple[tuple[Path, ...
         if configuration.run is not None and configuration.run.trace is not None:
             return (configuration.run.trace,), ()
         folder = configuration.output or Path(OUTPUT)
+        if (other := _built_from_another(folder, target)) is not None:
+            return (), (other,)
     whole = _newest(folder / USUAL, folder / _EARLIER)
     each = _of_each_agent(folder)
     if not following and not each and not _is_there(whole) and not _is_there(folder / f"{whole.name}.part"):
@@ -159,6 +161,18 @@ def traces_of(target: Path, *, following: bool = False) -> tuple[tuple[Path, ...
         return (whole,), ()
     last = max(item.stat().st_mtime for item in each)
     return ((whole,) if whole.is_file() and whole.stat().st_mtime > last else tuple(each)), ()
+
+
+def _built_from_another(output: Path, target: Path) -> Diagnostic | None:
+    """That an output folder was built from another file than that which is meant; None if nothing says so."""
+    if is_folder(target) or not builds_in(output):
+        return None
+    source = _source(output)
+    if isinstance(source, Diagnostic) or source.suffix != ".aseme":
+        return None
+    if not target.exists() or source.samefile(target):
+        return None
+    return Diagnostic(wrong.TraceOfAnother(str(target), str(output), str(source)), None, path=str(target))
 
 
 def _newest(*paths: Path) -> Path:
