@@ -319,7 +319,7 @@ def lines_in(file: IO[bytes], path: Path) -> Iterator[str]:
     except Exception as problem:  # of several libraries, where the data is not MCAP any more
         if not whole:
             what = str(problem) if isinstance(problem, McapError | _Damaged) else ""
-            raise Torn(number, what or "the rest is no MCAP") from problem
+            raise Torn(number, what or "the rest cannot be read") from problem
     if not number:
         raise TraceError(f"{path} is an MCAP file, but not a trace of asemec")
 
