@@ -86,13 +86,16 @@ def pip_settings() -> dict[str, str]:
 
 
 def folders(settings: dict[str, str]) -> list[str]:
-    """Return the folders of this machine that the settings name; an index has its files beside it."""
+    """Return the folders of this machine that the settings name, or have files in; an index has its files
+    beside it."""
     found = set()
     for name, value in settings.items():
         for word in value.split():
             path = Path(unquote(urlsplit(word).path) if word.startswith("file://") else word)
             if path.is_absolute() and path.is_dir():
                 found.add(str(path.parent if name.endswith("INDEX_URL") else path))
+            elif path.is_absolute() and path.is_file() and name.endswith("CONSTRAINT"):
+                found.add(str(path.parent))
     return sorted(found - {"/"})
 
 
