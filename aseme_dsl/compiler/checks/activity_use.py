@@ -15,7 +15,12 @@ from aseme_dsl.compiler.read.library import is_of_library
 from aseme_dsl.compiler.read.names import unknown
 from aseme_dsl.diagnostics import Diagnostic, Related, closest
 from aseme_dsl.diagnostics.problems.absences import NoActivityInFormulas
-from aseme_dsl.diagnostics.problems.activities import AlmostNamedLike, FormulaDescribed, NamedLikeParticipant
+from aseme_dsl.diagnostics.problems.activities import (
+    AlmostNamedLike,
+    FormulaDescribed,
+    NamedLikeParticipant,
+    VariableOutOfReach,
+)
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
@@ -72,6 +77,25 @@ def check_described(
             yield Diagnostic(FormulaDescribed(name.text), name.span, related)
         else:
             yield unknown(NoActivityInFormulas, name, used)
+
+
+def check_reach(written: Iterable[tree.Activity], chart: Statechart) -> Iterator[Diagnostic]:
+    """E200 for a variable of a participant of which no state with the activity is inside."""
+    scopes: dict[str, list[str]] = {}
+    for variable in chart.variables:
+        if variable.scope is not None:
+            scopes.setdefault(variable.name.partition("@")[0], []).append(variable.scope)
+    of_role = {variable.name for variable in chart.variables if variable.scope is None}
+    for item in written if scopes else ():
+        labels = [node.label for node in chart.states if node.activity == item.name.text]
+        for path in (*item.writes, *(read.path for read in item.reads)):
+            name = path.segments[0].text
+            inside = scopes.get(name, ())
+            if not labels or not inside or len(path.segments) > 1 or name in of_role:
+                continue
+            if not any(label.startswith(f"{scope}.") for label in labels for scope in inside):
+                part = chart.by_label[inside[0]].name
+                yield Diagnostic(VariableOutOfReach(item.name.text, name, part), path.span)
 
 
 def close_names(

@@ -13,6 +13,7 @@ from aseme_dsl.compiler.chart.srm_to_iac import Role
 from aseme_dsl.compiler.checks.activity_use import (
     Used,
     check_described,
+    check_reach,
     close_names,
     unplayed,
     used_activities,
@@ -75,6 +76,9 @@ def check_uses(
     if charts.are_complete:
         written = (item for block in blocks.roles for item in block.activities)
         found.add(check_described(written, {*used, *named}, formulas, declared.is_damaged))
+        for block in blocks.roles:
+            if (chart := charts.iacs.get(block.name.text)) is not None:
+                found.add(check_reach(block.activities, chart))
     yield
     refined = _refined(processes.roles.values())
     own_names = {name: node for name, node in used.items() if name not in refined}

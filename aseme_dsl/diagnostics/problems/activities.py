@@ -146,6 +146,24 @@ class LetWritten(Problem):
         return f"`{self.name}` is a let: nothing can be written to it"
 
 
+class VariableOutOfReach(Problem):
+    """A variable of the participant `part` that an activity reads or writes, and no state with it is inside
+    of that part."""
+
+    code = "E200"
+    activity: str
+    variable: str
+    part: str
+
+    @property
+    def message(self) -> str:
+        return f"`{self.variable}` is there inside of {self.part} only, and `{self.activity}` stands outside"
+
+    @property
+    def hint(self) -> str:
+        return f"let an activity inside of {self.part} read or write it, or declare a variable of the role"
+
+
 class AlmostNamedLike(Problem):
     """`kind` is what the `other` name is the name of."""
 
