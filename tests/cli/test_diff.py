@@ -166,6 +166,9 @@ def test_a_let_that_is_another_one_is_shown_where_it_is_used(here: Here, format:
     for limit in (30, 20):
         near = f"enter Kick : [vision.state.Ball.distance < {limit} && vision.state.Ball.visible]"
         assert near in done.out, done.out
+    far = ("let close = ", f"let close = {'vision.state.Ball.distance > 1 && ' * 5}")
+    done = compare(here, changed(KICK, far), changed(KICK, far, ("distance < 30", "distance < 20")))
+    assert "distance < 30 && vis" in done.out and "distance < 20 && vis" in done.out, done.out
 
 
 def test_a_longer_wait_is_seen_when_the_time_has_passed(here: Here) -> None:

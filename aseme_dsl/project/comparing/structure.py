@@ -14,6 +14,10 @@ NAMED = ("activity", "state", "variable", "formula", "role", "protocol", "partic
 """What may get another name while all else stays the same."""
 
 
+_BEFORE = 40
+"""So much of two texts that are equal at first is shown before what is different (characters)."""
+
+
 class Sort(StrEnum):
     """What has become of an element, with the sign that shows it."""
 
@@ -83,10 +87,16 @@ def changes_of(old: Sequence[Element], new: Sequence[Element]) -> Structure:
 
 
 def _told_apart(old: Element, new: Element) -> tuple[Element, Element]:
-    """Two elements with texts that differ: if only a `let` is another one, with what it stands for."""
+    """Two elements with texts that differ: if only a `let` is another one, with what it stands for.
+
+    That may be long: then the text begins shortly before the difference."""
     if old.text != new.text or old.whole == new.whole:
         return old, new
-    return replace(old, text=old.whole), replace(new, text=new.whole)
+    pairs = enumerate(zip(old.whole, new.whole, strict=False))
+    same = next((number for number, (one, other) in pairs if one != other), 0)
+    begin = same - _BEFORE if same > 2 * _BEFORE else 0
+    texts = [f"…{item.whole[begin:]}" if begin else item.whole for item in (old, new)]
+    return replace(old, text=texts[0]), replace(new, text=texts[1])
 
 
 def _renaming(old: Sequence[Element], new: Sequence[Element]) -> tuple[Element, Element] | None:
