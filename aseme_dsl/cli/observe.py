@@ -21,6 +21,7 @@ from aseme_dsl.cli.shared import (
     print_diagnostics,
     print_json,
     refuse,
+    refuse_unreadable,
     say_unreadable,
     targets_argument,
 )
@@ -88,8 +89,7 @@ def command(
         raise click.UsageError("--for requires --live.")
     paths, wrong = all_traces_of(targets, following=live)
     if wrong:
-        print_diagnostics(wrong, colour)
-        return 1
+        return refuse(wrong, as_json, colour)
     packed = next((path for path in paths if live and path.suffix == MCAP_SUFFIX), None)
     if packed is not None:
         raise click.UsageError(f"--live cannot follow {packed}: an MCAP file is read when it is complete.")
@@ -110,18 +110,14 @@ def command(
             observed, problems = observe(paths, session)
     except NoModel as problem:
         if paths[0].suffix == MCAP_SUFFIX:
-            say_unreadable(f"{paths[0]} is not an MCAP file", paths[0], colour)
-            return 1
+            return refuse_unreadable(f"{paths[0]} is not an MCAP file", paths[0], as_json, colour)
         raise click.UsageError(f"{paths[0]} has no model in it: name it with --model FILE.") from problem
     except NotReplayable as problem:
-        say_unreadable(f"{paths[0]} cannot be observed: {problem}", paths[0], colour)
-        return 1
+        return refuse_unreadable(f"{paths[0]} cannot be observed: {problem}", paths[0], as_json, colour)
     except TraceError as problem:
-        say_unreadable(problem, paths[0], colour)
-        return 1
+        return refuse_unreadable(problem, paths[0], as_json, colour)
     if observed is None:
-        say_unreadable(f"no run has begun: {', '.join(map(str, paths))}", paths[0], colour)
-        return 1
+        return refuse_unreadable(f"no run has begun: {', '.join(map(str, paths))}", paths[0], as_json, colour)
     if as_json:
         print_json(_as_json(observed, paths, problems))
     else:

@@ -174,6 +174,11 @@ def say_unreadable(problem: object, path: Path, colour: str = "auto") -> None:
     print_diagnostics([Diagnostic(TraceNotRead(str(problem)), None, path=str(path))], colour)
 
 
+def refuse_unreadable(problem: object, path: Path, as_json: bool, colour: str) -> int:
+    """Say that a trace cannot be read at all; the exit code."""
+    return refuse([Diagnostic(TraceNotRead(str(problem)), None, path=str(path))], as_json, colour)
+
+
 def not_in_traces(unknown: Iterable[str], team: Collection[str], files: Sequence[Path]) -> list[Diagnostic]:
     """What is wrong with agents that traces have nothing about."""
     problems = []

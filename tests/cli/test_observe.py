@@ -405,6 +405,9 @@ def test_what_is_no_mcap_and_what_cannot_be_followed(run: list[str], here: Here)
     Path("bad.mcap").write_text("hello")
     done = here("observe", "bad.mcap")
     assert (done.code, "bad.mcap is not an MCAP file" in done.err) == (1, True), done.err
+    for name, code in (("bad.mcap", "E035"), ("absent.jsonl", "E001")):
+        done = here("observe", name, "--json")
+        assert (done.code, [item["code"] for item in done.json["diagnostics"]]) == (1, [code]), done.out
     done = here("observe", "bad.mcap", "--live")
     assert (done.code, "--live cannot follow bad.mcap: an MCAP file" in done.err) == (2, True), done.err
 
