@@ -136,3 +136,22 @@ def test_times_of_what_comes_together_are_kept(prove) -> None:  # type: ignore[n
     early = f'property "it holds" {{ {assumes}  no one has [sum == 2] before %sms }}\n'
     assert prove(team + early % 1100, "it holds").out.startswith("PROVED")
     assert prove(team + early % 1101, "it holds").out.startswith("REFUTED")
+
+
+@pytest.mark.parametrize(
+    ("formula", "lines"),
+    [
+        pytest.param("(Dig . Haul) [> Stop", "enter Stop : bump", id="an event that cuts short"),
+        pytest.param(
+            "(Stop | Haul) . Dig", "enter Stop : [hall.signal.A.n == 1]  enter Haul : else", id="a choice"
+        ),
+    ],
+)
+def test_something_may_come_before_the_first_step(prove, formula: str, lines: str) -> None:  # type: ignore[no-untyped-def]
+    """Then it is there in that step, and in no later one."""
+    text = (
+        HEAD % "signal A from outside"
+        + f"srm robot {{ liveness {{ robot = {formula} }} control robot {{ {lines} }} }}\n"
+        + 'team Hall { one : robot }\nproperty "it holds" { one in Dig before one in Stop }\n'
+    )
+    assert prove(text, "it holds").out.startswith("REFUTED")

@@ -649,6 +649,10 @@ class Explored:
     def _join(self, move: Move) -> None:
         """Let more come at the same moment. What comes to an agent alone may be there at any time."""
         match move.kind:
+            case ("begin",):
+                for agent in self.agents if self.alone is None else ():
+                    self._joining.begin(agent)
+                return
             case ("input" | "event", name, what):
                 item = None
             case ("end", name, label):

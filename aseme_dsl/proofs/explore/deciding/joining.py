@@ -54,6 +54,7 @@ class Joining:
     ) -> None:
         """`events` are those that come from elsewhere, by role."""
         self._related = {plan.name: related_in(plan) for plan in plans}
+        self._first = {plan.name: sorted(first_in(plan)) for plan in plans}
         self._queued = {plan.name: frozenset(i.name for i in plan.channels if i.queued) for plan in plans}
         self._events = events
         self._ways = ways
@@ -63,6 +64,14 @@ class Joining:
         self._arrive = arrive
         self.came: list[str] = []
         """What else has come in the present move."""
+
+    def begin(self, agent: Agent) -> None:
+        """An agent makes its first step: what makes a difference there may have come before it."""
+        for what in self._first[agent.role]:
+            for more in self._from_outside(agent, what):
+                if self._choices.of(more.question, (None, True), more.text):
+                    more.do()
+                    self.came.append(what)
 
     def joins(self, agent: Agent, what: str) -> bool:
         """Whether it makes a difference for an agent if something else comes with this."""
@@ -101,14 +110,18 @@ class Joining:
                     do = partial(self._arrive, receiver, waiting, item)
                     yield _More(what, question, text, do, None if item.overtakes else sender)
         for what in sorted(beside - here):
-            if what in self._events[agent.role]:
-                text = f"{agent.name}: {what} is raised at the same moment"
-                do = partial(self._bus.give_event, agent, what)
-                yield _More(what, ("joins", "event", agent.name, what), text, do)
-            elif self._may_be_given(agent, what):
-                text = f"{agent.name} gets {what} at the same moment"
-                do = partial(self._coming.give, agent, what)
-                yield _More(what, ("come", agent.name, what), text, do)
+            yield from self._from_outside(agent, what)
+
+    def _from_outside(self, agent: Agent, what: str) -> Iterator[_More]:
+        """An event that is raised, or a signal, if it may come from outside."""
+        if what in self._events[agent.role]:
+            text = f"{agent.name}: {what} is raised at the same moment"
+            do = partial(self._bus.give_event, agent, what)
+            yield _More(what, ("joins", "event", agent.name, what), text, do)
+        elif self._may_be_given(agent, what):
+            text = f"{agent.name} gets {what} at the same moment"
+            do = partial(self._coming.give, agent, what)
+            yield _More(what, ("come", agent.name, what), text, do)
 
     def _may_be_given(self, agent: Agent, what: str) -> bool:
         """Whether it is a signal that may come from outside."""
@@ -169,6 +182,31 @@ def _letters_in(plan: Plan) -> Iterator[tuple[str, str]]:
                 yield what, name
 
 
+def first_in(plan: Plan) -> frozenset[str]:
+    """The signals and events for which ways of the first step ask; a later step would not have these ways."""
+    found: set[str] = set()
+    todo = [plan.states[0].label]
+    seen: set[str] = set()
+    while todo:
+        label = todo.pop()
+        if label in seen:
+            continue
+        seen.add(label)
+        state = plan.by_label[label]
+        todo += [
+            child.label for child in plan.children(label) if state.type == "AND" or child.type == "START"
+        ]
+        for item in plan.transitions:
+            if item.source != label or item.kind != "external":
+                continue
+            if state.type in ("START", "CONDITION"):
+                todo += plan.entries_of(item)
+            elif not item.first:
+                continue
+            found.update(_asked(item))
+    return frozenset(what for what in found if is_signal(what) or "." not in what)
+
+
 def _on_from(
     plan: Plan, first: Transition, lines: Mapping[str, Sequence[Transition]]
 ) -> Iterator[Transition]:
@@ -215,4 +253,4 @@ def _asked(item: Transition) -> Iterator[str]:
                 yield channel
 
 
-__all__ = ["Joining", "end_of", "is_signal", "name_of", "related_in"]
+__all__ = ["Joining", "end_of", "first_in", "is_signal", "name_of", "related_in"]
