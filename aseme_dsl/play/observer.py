@@ -387,20 +387,20 @@ class Observer:
         if self._teller is not None:
             self._teller.note(self._now, agent, text)
 
-    def story(self, waits: Mapping[str, Sequence[Waiting]]) -> tuple[Happened, ...]:
+    def story(self, waits: Mapping[str, Sequence[Waiting]], is_whole: bool = False) -> tuple[Happened, ...]:
         """What led to the end of the run, or to the broken expectation, and where each agent is then.
 
-        `waits` is what each agent waits for.
+        `waits` is what each agent waits for. If it `is_whole`, it has all that happened to all agents.
         """
         teller = self._teller
         if teller is None:
             return ()
-        subject = self._about()
+        subject = About() if is_whole else self._about()
         plans = {name: self._plan(name) for name in self._agents}
         leaves = {name: leaf_names(plans[name], item.leaves) for name, item in self._agents.items()}
         teller.guards.begin(plans, {name: few(names) or "no state" for name, names in leaves.items()})
         end = self._now if self.broken is None else self.states[self.broken].at
-        story = list(teller.story(subject, self.script.cuts, end, self._plan))
+        story = teller.whole() if is_whole else [*teller.story(subject, self.script.cuts, end, self._plan)]
         for name, followed in self._agents.items():
             if subject.agents is None or name in subject.agents:
                 place = subject.places.get(name, frozenset())

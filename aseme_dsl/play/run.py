@@ -117,12 +117,14 @@ def play(
     watch: Watch | None = None,
     guards: Guards | None = None,
     trace: Path | None = None,
+    is_whole: bool = False,
 ) -> Played:
     """Play a script with a seed and values for its inputs, up to `until` (ns).
 
     The run is in a `world`, if the script has one. `listeners` are given the records of the run, too;
     `recorder` takes what probes see, and `watch` follows the instants. With `guards`, the conditions of
-    the roles, the run has a story. `trace` is the file in which the run is recorded.
+    the roles, the run has a story; if that `is_whole`, it has all that happened. `trace` is the file in which
+    the run is recorded.
 
     Raises:
         NotPlayable: the code of an activity cannot be loaded, a value cannot be computed.
@@ -180,7 +182,7 @@ def play(
         broken,
         observer.failures,
         tuple(observer.faults),
-        observer.story({agent.name: agent.waits for agent in result.agents}),
+        observer.story({agent.name: agent.waits for agent in result.agents}, is_whole),
         observer.places(),
         observer.read,
         observer.assumed.broken,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import random
+import re
 from pathlib import Path
 
 import pytest
@@ -76,6 +77,8 @@ def test_what_is_refuted_fails_when_it_is_played(
     assert len(drawn) == len(found)
     agents = [line.split(" : ")[0].strip() for line in found[0]["scenario"].splitlines() if " : " in line]
     assert all(any(f">{name}<" in svg for name in agents) and svg.count("<text") > 5 for svg in drawn)
+    ended = {name for item in found for name in re.findall(r" ends (\w+)", item["scenario"])}
+    assert ended and all(f"{name} returns" in "".join(drawn) for name in ended)
 
 
 def test_what_never_comes_is_shown_with_the_round_that_repeats(here: Here, folder: Path) -> None:

@@ -281,11 +281,19 @@ class Storyteller:
             found.update([item for item in asides.items() if not item[1].text.endswith("returns")][-FEWEST:])
             found.update(last[key] for key in (f"sends {one}" for one in about.messages) if key in last)
             found.update(self._then(name, about, plan(name), spoken))
-        ordered = [self._with_missing(item) for _, item in sorted(found.items())]
-        sent = {(item.moment, item.agent, name) for item in ordered for name in item.to}
-        story = [item for item in ordered if (item.moment, item.peer, item.agent) not in sent]
+        story = self._in_order(found)
         story += [item for item in self._cut_off(cuts, end) if item.agent in chosen]
         yield from sorted(story, key=lambda item: item.moment)
+
+    def whole(self) -> list[Happened]:
+        """All that has happened to the agents, as far as it is kept, in its order."""
+        return self._in_order(dict(itertools.chain.from_iterable(self._log.values())))
+
+    def _in_order(self, found: Mapping[int, Happened]) -> list[Happened]:
+        """What has happened, by its number; what is received as it is sent stands there once."""
+        ordered = [self._with_missing(item) for _, item in sorted(found.items())]
+        sent = {(item.moment, item.agent, name) for item in ordered for name in item.to}
+        return [item for item in ordered if (item.moment, item.peer, item.agent) not in sent]
 
     def _then(
         self, agent: str, about: About, plan: Plan, spoken: Collection[str]

@@ -85,6 +85,7 @@ def played(
             lambda activity: None,
             script.until,
             guards=guards,
+            is_whole=True,
         )
     except NotPlayable as problem:
         return replace(
