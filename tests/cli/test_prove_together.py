@@ -155,3 +155,18 @@ def test_something_may_come_before_the_first_step(prove, formula: str, lines: st
         + 'team Hall { one : robot }\nproperty "it holds" { one in Dig before one in Stop }\n'
     )
     assert prove(text, "it holds").out.startswith("REFUTED")
+
+
+def test_the_newest_message_of_all_senders_is_seen(prove) -> None:  # type: ignore[no-untyped-def]
+    """Two agents publish at one moment: what the first one says is never seen."""
+    speaks = "enter Talk : / hall.state.A.n = 1; write_messages.hall.state.A"
+    other = (LEADER % speaks.replace("n = 1", "n = 2")).replace("leader", "other")
+    hears = FOLLOWER.partition("property")[0].replace("repeat Idle : %s", "on Idle : %s")
+    text = (
+        HEAD % "state A"
+        + LEADER % speaks
+        + other
+        + hears % ("when [hall.state.A.n == 1] / sum = 1", "boss : leader  helper : other")
+        + 'property "it holds" { every boss in Talk leads to one has [sum == 1] }\n'
+    )
+    assert prove(text, "it holds").out.startswith("REFUTED")

@@ -654,17 +654,17 @@ class Explored:
                     self._joining.begin(agent)
                 return
             case ("input" | "event", name, what):
-                item = None
+                pass
             case ("end", name, label):
                 plan = self._named[name].plan
-                item, what = None, end_of(plan.by_label[label].activity or "")
+                what = end_of(plan.by_label[label].activity or "")
             case ("arrive", _, name, _) if self.arriving is not None:
-                item, what = self.arriving, name_of(self.arriving)
+                what = name_of(self.arriving)
             case _:
                 return
         agent = self._named[name]
         if self.alone is None and not agent.over and not agent.down:
-            self._joining.join(agent, what, item)
+            self._joining.join(agent, what)
 
     def _begin_anew(self) -> None:
         """What has begun after a pause counts the next one from now."""

@@ -36,7 +36,6 @@ class _More:
     question: tuple[object, ...]
     text: str
     do: Callable[[], None]
-    sender: str | None = None
 
 
 class Joining:
@@ -77,14 +76,13 @@ class Joining:
         """Whether it makes a difference for an agent if something else comes with this."""
         return what in self._related[agent.role]
 
-    def join(self, agent: Agent, first: str, item: Underway | None) -> None:
-        """Something has come to an agent: a channel or an event, and what was on its way, if it was."""
+    def join(self, agent: Agent, first: str) -> None:
+        """Something has come to an agent."""
         self.came.clear()
-        senders = set() if item is None or item.overtakes else {item.identity[0]}
         asked: set[object] = set()
         while True:
             here = {first, *self.came}
-            found = (more for more in self._more(agent, here, senders) if more.question not in asked)
+            found = (more for more in self._more(agent, here) if more.question not in asked)
             more = next(found, None)
             if more is None:
                 return
@@ -92,23 +90,20 @@ class Joining:
             if self._choices.of(more.question, (None, True), more.text):
                 more.do()
                 self.came.append(more.what)
-                if more.sender is not None:
-                    senders.add(more.sender)
 
-    def _more(self, agent: Agent, here: set[str], senders: set[str]) -> Iterator[_More]:
-        """What may come where this has come, the messages in order from these senders."""
+    def _more(self, agent: Agent, here: set[str]) -> Iterator[_More]:
+        """What may come where this has come."""
         related = self._related[agent.role]
         beside = frozenset[str]().union(*(related.get(what, frozenset()) for what in here))
         for (sender, receiver), waiting in self._ways.ways.items():
             for item in next_of(waiting) if receiver == agent.name else ():
                 what = name_of(item)
-                is_next = sender in senders and not item.overtakes
-                is_newer = is_next and what in here and what not in self._queued[agent.role]
+                is_newer = what in here and what not in self._queued[agent.role]
                 if what in beside or (is_newer and item.kind != "mail"):
                     question = ("joins", "way", sender, receiver, what.strip(), item.identity)
                     text = f"{receiver} gets {what.strip()} of {sender} at the same moment"
                     do = partial(self._arrive, receiver, waiting, item)
-                    yield _More(what, question, text, do, None if item.overtakes else sender)
+                    yield _More(what, question, text, do)
         for what in sorted(beside - here):
             yield from self._from_outside(agent, what)
 
