@@ -356,6 +356,28 @@ def test_what_is_never_equal(here: Here, pairs: list[tuple[str, str]], role: str
     assert runs(done)[role][0][0] == inputs
 
 
+BOTH = """\
+system Both
+message Bell { int n }
+topic door { signal Bell  signal Knock from outside }
+topic hall { signal Bell from outside }
+message Knock { int n }
+srm host {
+  liveness { host = (Rest . Open)~ }
+  activities { Rest ends woken, tired }
+  control host { enter Open : when [hall.signal.Bell.n == 1 && door.signal.Knock.n == 1] }
+}
+team T { ann : host }
+"""
+
+
+@pytest.mark.parametrize("new", ["door.signal.Knock.n == 2", "outcome(Rest) == woken"])
+def test_what_comes_at_one_moment_is_compared(here: Here, new: str) -> None:
+    done = compare(here, BOTH, changed(BOTH, ("door.signal.Knock.n == 1", new)), "--json")
+    assert done.code == 1
+    assert any("; at the same moment " in way[0][-1] for way in runs(done)["role host"]), done.out
+
+
 def test_a_role_that_is_called_as_an_actor_is_added(here: Here) -> None:
     new = changed(TURNS, ("team T {", "srm coach { liveness { coach = A } }\nteam T {"))
     done = compare(here, TURNS, new)

@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 from functools import cached_property
+from itertools import combinations
 
 from aseme_dsl.proofs.compare.decisions import Decisions
 from aseme_dsl.proofs.compare.side import Side, shown
+from aseme_dsl.proofs.explore.deciding.joining import called, end_of, related_in
 from aseme_dsl.proofs.explore.deciding.staging import events, watched, writable
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.inputs import (
@@ -30,9 +32,9 @@ OTHER = "other1"
 class Move:
     """Something that may happen to both versions. `number` tells several of one name apart.
 
-    `kind` is one of begin, end, fail, write, event, sample, message, lost, news and time. `name` is what it
-    is about: an activity, an event, a channel, or a participant. `more` is what comes: an outcome, a reason,
-    or what message from whom.
+    `kind` is one of begin, end, fail, write, event, sample, message, lost, news, time and together. `name` is
+    what it is about: an activity, an event, a channel, or a participant. `more` is what comes: an outcome, a
+    reason, or what message from whom. The `parts` of what happens together happen at one moment.
     """
 
     kind: str
@@ -41,6 +43,21 @@ class Move:
     number: int = 0
     more: tuple[str, ...] = ()
     content: object = None
+    parts: tuple[Move, ...] = ()
+
+    @property
+    def what(self) -> str:
+        """What comes, as a plan says what else matters beside it."""
+        match self.kind:
+            case "sample" | "event":
+                return self.name
+            case "end":
+                return end_of(self.name)
+            case "message":
+                return called(*self.more[:2])
+            case "lost":
+                return called(LOST)
+        return ""
 
 
 BEGIN = Move("begin", "it begins")
@@ -61,6 +78,13 @@ class Surroundings:
         )
         self.is_limited = False
         """Whether messages that come early are looked at one at a time."""
+        self._beside = frozenset(
+            (_common(side, what), _common(side, other))
+            for side in self._sides
+            for what, others in related_in(side.plan).items()
+            for other in others
+        )
+        """What makes a difference if it comes in the same step as something else."""
         self._reasons = REASONS if any(_asks_reason(plan) for plan in plans) else ("left",)
 
     @cached_property
@@ -85,10 +109,12 @@ class Surroundings:
                 found |= dict.fromkeys(self._ends(side))
                 found |= dict.fromkeys(self._messages(side))
         found |= dict.fromkeys(self._samples())
+        found |= {Move("event", f"the event {name} is raised", name): None for name in self._events}
         yield from found
-        for name in self._events:
-            yield Move("event", f"the event {name} is raised", name)
         yield NEWS
+        for one, other in combinations(found, 2):
+            if (one.what, other.what) in self._beside or (other.what, one.what) in self._beside:
+                yield Move("together", f"{one.text}; at the same moment {other.text}", parts=(one, other))
 
     def _ends(self, side: Side) -> Iterator[Move]:
         counts: Counter[str] = Counter()
@@ -178,6 +204,9 @@ class Surroundings:
                 return [Sample(move.name, content, sender, now, (sender, number))]
             case "message" | "lost":
                 return self._mail(side, move, number)
+            case "together":
+                parts = enumerate(move.parts, number)
+                return [item for own, part in parts for item in self.inputs(side, part, now, own)]
         return []
 
     def _of_activity(self, side: Side, move: Move, number: int) -> list[Input]:
@@ -212,6 +241,12 @@ class Surroundings:
         performative, message, participant, sender = move.more
         content = side.stage.as_own(move.content)
         return [AgentMessage(branch, performative, message, content, participant, sender, (sender, number))]
+
+
+def _common(side: Side, what: str) -> str:
+    """What comes, as both versions call it."""
+    ended = what.removeprefix(end_of(""))
+    return what if ended == what else end_of(side.stage.version.name(ended))
 
 
 def _taken_now(plan: Plan, leaves: Sequence[str]) -> frozenset[tuple[str, ...]]:

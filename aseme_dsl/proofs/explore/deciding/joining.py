@@ -17,6 +17,7 @@ from aseme_dsl.proofs.explore.surroundings import Underway, Ways, next_of
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.agent.agent import Agent
 from aseme_dsl.runtime.channel.bus import Bus
+from aseme_dsl.runtime.chart.inputs import LOST
 from aseme_dsl.runtime.chart.plan import Plan, Transition, is_in, terms_in
 
 _Related = Mapping[str, frozenset[str]]
@@ -25,7 +26,6 @@ _Related = Mapping[str, frozenset[str]]
 Signals by their channels, events by their names, agent messages by what they are called (see `name_of`), ends
 of activities as `end_of` says.
 """
-_LOSS = "lost "
 
 
 @dataclass(frozen=True, slots=True)
@@ -134,7 +134,12 @@ def name_of(item: Underway) -> str:
     if item.kind != "mail":
         return item.what
     acl = letter_of(item)
-    return _LOSS if acl is None else f"{acl.performative} {acl.message}"
+    return called(LOST) if acl is None else called(acl.performative, acl.message)
+
+
+def called(performative: str, message: str = "") -> str:
+    """What an agent message is called, or a loss."""
+    return f"{performative} {message}"
 
 
 def is_signal(what: str) -> bool:
@@ -166,7 +171,7 @@ def related_in(plan: Plan) -> _Related:
 def _letters_in(plan: Plan) -> Iterator[tuple[str, str]]:
     """Agent messages, and losses, of which two may be awaited at once: each two."""
     lines = [
-        (item.source, _LOSS if event[0] == "lost" else f"{event[1]} {event[2]}")
+        (item.source, called(LOST) if event[0] == "lost" else called(str(event[1]), str(event[2])))
         for item in plan.transitions
         for event in item.events
         if event[0] in ("received", "lost")
@@ -248,4 +253,4 @@ def _asked(item: Transition) -> Iterator[str]:
                 yield channel
 
 
-__all__ = ["Joining", "end_of", "first_in", "is_signal", "name_of", "related_in"]
+__all__ = ["Joining", "called", "end_of", "first_in", "is_signal", "name_of", "related_in"]
