@@ -459,3 +459,30 @@ def test_what_is_missed_does_not_come(here: Here, folder: Path) -> None:
     )
     code, said = _played(here, folder, *lines)
     assert code == 0, said
+
+
+DURATIONS = """system Long
+message Rest { duration least }
+message Plan { duration lease  Rest rest }
+topic desk { state Plan from outside }
+suc { role other : external }
+srm one {
+  var left : duration = 0s
+  liveness { one = Look . (Long | Short) }
+  activities { Look writes left }
+  control one {
+    enter Long  : [desk.state.Plan.lease > 2s && desk.state.Plan.rest.least < 5s && left == 3s]
+    enter Short : else
+  }
+}
+team T { ann : one }
+property "short" { never ann in Long }
+"""
+
+
+def test_durations_are_written_with_their_units(here: Here, folder: Path) -> None:
+    (folder / "a.aseme").write_text(DURATIONS)
+    (found,) = here("prove", "a.aseme", "short", "--json").json["results"]
+    assert found["verdict"] == "REFUTED", found["reason"]
+    assert "{ lease = 2000.000001ms  rest.least = 4999.999999ms }" in found["scenario"]
+    assert "sets left = 3s" in found["scenario"]

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import fields, is_dataclass
 from enum import Enum
 from typing import assert_never, cast
 
+from aseme_dsl.amola.messages import DURATION, Kind, Message
 from aseme_dsl.proofs.explore.deciding.unread import Path
 from aseme_dsl.proofs.explore.retrace import (
     Acts,
@@ -40,8 +41,30 @@ class Run:
     end: int = 0
 
 
-def scenario_of(run: Run, found: Retraced, types: Mapping[str, Mapping[str, str]]) -> str:
-    """The text of a scenario. `types` are those of the variables of each agent that is a duration."""
+@dataclass(frozen=True, slots=True)
+class Types:
+    """What values are: the types of the variables of agents, and the ways to durations in messages."""
+
+    variables: Mapping[str, Mapping[str, str]]
+    durations: Mapping[str, frozenset[Path]]
+
+
+def durations_in(messages: Iterable[Message]) -> Mapping[str, frozenset[Path]]:
+    """The ways to the members of messages that are durations, or lists of some."""
+    fields_of = {item.name: item.fields for item in messages}
+
+    def ways(name: str, at: Path) -> Iterator[Path]:
+        for item in fields_of.get(name, ()):
+            if DURATION in (item.type, item.type.element):
+                yield (*at, item.name)
+            elif item.type.kind is Kind.MESSAGE:
+                yield from ways(item.type.name, (*at, item.name))
+
+    return {name: frozenset(ways(name, ())) for name in fields_of}
+
+
+def scenario_of(run: Run, found: Retraced, types: Types) -> str:
+    """The text of a scenario."""
     lines = [f"{name} : {role}" for name, role in run.team]
     last = found.moments[-1] if found.moments else 0
     if run.further:
@@ -70,19 +93,19 @@ def moment(at: int) -> str:
     return f"{at / MILLISECOND:.6f}".rstrip("0") + "ms"
 
 
-def _line(item: Happening, at: str, types: Mapping[str, Mapping[str, str]]) -> str:
+def _line(item: Happening, at: str, types: Types) -> str:
     if isinstance(item, Crash):
         return f"crash {item.agent} at {at}"
     return f"at {at} {_said(item, types)}"
 
 
-def _said(item: Acts | Comes | Arrives | Event | Gives, types: Mapping[str, Mapping[str, str]]) -> str:
+def _said(item: Acts | Comes | Arrives | Event | Gives, types: Types) -> str:
     match item:
         case Acts():
-            return " ".join(_acts(item, types.get(item.agent, {})))
+            return " ".join(_acts(item, types))
         case Comes(agent=agent, channel=channel, content=content, sender=sender):
             by = "" if sender is None else f" from {sender}"
-            return f"{agent} receives {channel} {{ {_fills(content)} }}{by}"
+            return f"{agent} receives {channel} {{ {_fills(content, types)} }}{by}"
         case Arrives(agent=agent, sender=sender, what=what, is_lost=is_lost):
             return f"{agent} {'misses' if is_lost else 'gets'} {what} from {sender}"
         case Event(agent=agent, event=event):
@@ -93,7 +116,8 @@ def _said(item: Acts | Comes | Arrives | Event | Gives, types: Mapping[str, Mapp
             assert_never(item)
 
 
-def _acts(item: Acts, types: Mapping[str, str]) -> Iterator[str]:
+def _acts(item: Acts, types: Types) -> Iterator[str]:
+    variables = types.variables.get(item.agent, {})
     yield f"{item.agent} {item.verb} {item.activity}"
     if item.outcome is not None:
         yield f"with {item.outcome}"
@@ -102,22 +126,26 @@ def _acts(item: Acts, types: Mapping[str, str]) -> Iterator[str]:
     for name, value in item.sets.items():
         if value is None:  # it is as absent as it was
             continue
-        yield f"sets {name} = {_value(value, types.get(name, ''))}"
+        yield f"sets {name} = {_value(value, variables.get(name, ''))}"
     for channel, content in item.writes:
-        yield f"writes {channel} {{ {_fills(content)} }}"
+        yield f"writes {channel} {{ {_fills(content, types)} }}"
     for content in item.prepares:
-        yield f"prepares {_kind(content)} {{ {_fills(content)} }}"
+        yield f"prepares {_kind(content)} {{ {_fills(content, types)} }}"
     for performative, content, part in item.sends:
-        yield f"sends {performative} {_kind(content)} {{ {_fills(content)} }} to {part}"
+        yield f"sends {performative} {_kind(content)} {{ {_fills(content, types)} }} to {part}"
 
 
 def _kind(content: Content) -> str:
     return content.kind or type(content.whole).__name__
 
 
-def _fills(content: Content) -> str:
+def _fills(content: Content, types: Types) -> str:
     pairs = content.members.items() if content.whole is None else _members(content.whole, ())
-    return "  ".join(f"{'.'.join(path)} = {_value(value, '')}" for path, value in pairs)
+    durations = types.durations.get(_kind(content), frozenset())
+    return "  ".join(
+        f"{'.'.join(path)} = {_value(value, 'duration' if path in durations else '')}"
+        for path, value in pairs
+    )
 
 
 def _members(message: object, at: Path) -> Iterator[tuple[Path, object]]:
@@ -142,9 +170,9 @@ def _value(value: object, kind: str) -> str:
             escaped = value.replace("\\", "\\\\").replace('"', '\\"')
             return f'"{escaped}"'
         case tuple() | list():
-            return f"[{', '.join(_value(item, '') for item in value)}]"
+            return f"[{', '.join(_value(item, kind.removeprefix('list of ')) for item in value)}]"
         case _:
             return str(value)
 
 
-__all__ = ["Run", "moment", "scenario_of"]
+__all__ = ["Run", "Types", "durations_in", "moment", "scenario_of"]

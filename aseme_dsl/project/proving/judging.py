@@ -551,7 +551,7 @@ class Judge:
             return replace(found, verdict=Verdict.UNDECIDED, reason=why, counterexample=())
         if self._explored.values.may_be_any:
             return replace(found, verdict=Verdict.UNDECIDED, is_abstract=True)
-        replay = written(self._explored, self._first, steps, run, at)
+        replay = written(self._explored, self._first, steps, run, self._system, at)
         if not replay.problem:
             replay = played(self._scope.root, replay, self._loaded, item, self._system)
         if replay.problem:
