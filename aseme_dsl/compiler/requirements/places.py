@@ -58,7 +58,7 @@ class Places:
                 alias = part.alias.text if part.alias is not None else ""
                 if participant in (part.participant.text, alias) and protocol in (None, part.protocol.text):
                     for binding in part.bindings:
-                        if binding.abstract.text == name and binding.own is not None:
+                        if binding.own is not None and name in called(binding.abstract.text, self.aliases):
                             yield binding.own.text
 
 

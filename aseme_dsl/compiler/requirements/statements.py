@@ -94,7 +94,7 @@ def known_by(
         top,
         scopes,
         {role: None if chart is None else _states(chart, aliases) for role, chart in iacs.items()},
-        _processes(blocks),
+        _processes(blocks, aliases),
         {role: _events(chart) for role, chart in iacs.items() if chart is not None},
         {name: frozenset(roles) for name, roles in performed.items()},
         activities,
@@ -143,7 +143,8 @@ def _events(chart: Statechart) -> frozenset[str]:
     return frozenset(event.name for event in events if isinstance(event, Raised))
 
 
-def _processes(blocks: Blocks) -> dict[str, frozenset[str]]:
+def _processes(blocks: Blocks, aliases: Iterable[str]) -> dict[str, frozenset[str]]:
+    """The names in the process of each participant, those from a file with an alias also without it."""
     places: dict[str, set[str]] = {}
     owned: dict[tuple[str, str], set[str]] = {}
     for protocol in blocks.aips:
@@ -159,7 +160,10 @@ def _processes(blocks: Blocks) -> dict[str, frozenset[str]]:
             bound = {item.own.text for item in part.bindings if item.own is not None}
             for name in (part.participant.text, *((part.alias.text,) if part.alias else ())):
                 places.setdefault(name, set()).update(own | bound)
-    return {name: frozenset(inside) for name, inside in places.items()}
+    return {
+        part: frozenset(short for name in inside for short in called(name, aliases))
+        for part, inside in places.items()
+    }
 
 
 def check_statements(
