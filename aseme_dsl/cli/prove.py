@@ -18,6 +18,7 @@ from aseme_dsl.cli.shared import (
     folder_option,
     json_option,
     one_system,
+    plural,
     print_diagnostics,
     print_json,
     refuse,
@@ -125,14 +126,14 @@ def command(
         _show(found)
         if hint := _more(found, target, limits, robots, horizon):
             click.echo(hint)
-    code = 0 if saved is None else _save(found, saved, compiled.root, colour)
+    code = 0 if saved is None else _save(found, saved, compiled.root, as_json, colour)
     if stories is not None:
         code = max(code, _draw(found, stories, colour))
     return code or code_of(found, names)
 
 
-def _save(found: tuple[Result, ...], path: Path, root: Path | Source, colour: str) -> int:
-    """Append the counterexamples; 1 if the file cannot be written."""
+def _save(found: tuple[Result, ...], path: Path, root: Path | Source, as_json: bool, colour: str) -> int:
+    """Append the counterexamples, and say how many; 1 if the file cannot be written."""
     from aseme_dsl.project.files.write import write_file
     from aseme_dsl.project.proving.saving import cases_of
     from aseme_dsl.project.proving.saving import saved as text_of
@@ -140,10 +141,17 @@ def _save(found: tuple[Result, ...], path: Path, root: Path | Source, colour: st
     if not isinstance(root, Path):
         raise click.UsageError("--save: the system is in no file.")
     if not any(cases_of(found)):
-        return 0
-    problems = write_file(path, text_of(found, path, root).encode("utf-8")).diagnostics
-    print_diagnostics(problems, colour)
-    return int(has_errors(problems))
+        said = "nothing to save: there is no counterexample"
+    else:
+        text, new = text_of(found, path, root)
+        problems = write_file(path, text.encode("utf-8")).diagnostics
+        print_diagnostics(problems, colour)
+        if has_errors(problems):
+            return 1
+        said = f"{plural(new, 'scenario')} added" if new else "it has these scenarios already"
+    if not as_json:
+        click.echo(f"{path}: {said}", err=True)
+    return 0
 
 
 def _draw(found: tuple[Result, ...], folder: Path, colour: str) -> int:
@@ -185,7 +193,7 @@ def _more(found: tuple[Result, ...], target: str, limits: Limits, robots: int, h
     first = next((item for item in found if CUT in item.reason), None)
     if first is None:
         return ""
-    is_time = not first.reason.endswith(" states")
+    is_time = not first.reason.endswith((" state", " states"))
     more = ["--budget", at_text(round(5 * limits.seconds * SECOND))]
     if not is_time:
         more = ["--states", str(5 * limits.states)]

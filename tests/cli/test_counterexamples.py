@@ -108,8 +108,50 @@ def test_what_nobody_has_prepared_says_what_a_new_message_says(
 
 def test_what_holds_leaves_no_file(here: Here, folder: Path) -> None:
     (folder / "a.aseme").write_text(BUY)
-    assert here("prove", "a.aseme", "--save", "found.aseme").code == 0
+    done = here("prove", "a.aseme", "--save", "found.aseme")
+    assert (done.code, done.err) == (0, "found.aseme: nothing to save: there is no counterexample\n")
     assert not (folder / "found.aseme").exists()
+
+
+def test_it_says_what_was_saved(here: Here, folder: Path) -> None:
+    (folder / "a.aseme").write_text(LATE)
+    asked = "prove", "a.aseme", "agreement", "--save", "found.aseme"
+    assert here(*asked).err == "found.aseme: 1 scenario added\n"
+    assert here(*asked).err == "found.aseme: it has these scenarios already\n"
+    assert here(*asked, "--json").err == ""
+
+
+def test_a_story_names_no_line_that_the_file_does_not_have(here: Here, folder: Path) -> None:
+    (folder / "a.aseme").write_text(LATE)
+    here("prove", "a.aseme", "agreement", "--stories", "stories")
+    (drawn,) = (path.read_text() for path in (folder / "stories").glob("*.svg"))
+    assert "start of " in drawn
+    last = len(LATE.splitlines())
+    assert all(int(line) <= last for line in re.findall(r"a\.aseme:(\d+)", drawn))
+
+
+def test_a_clause_of_a_file_with_an_alias_is_played(here: Here, folder: Path) -> None:
+    text = LATE.replace("system Office", "").replace(
+        "  outcome", "  clause every Rest@worker leads to Praise@boss\n  outcome", 1
+    )
+    (folder / "parts").mkdir()
+    (folder / "parts/talk.aseme").write_text(text)
+    (folder / "a.aseme").write_text('system A\nimport "parts/talk.aseme" as talk\n')
+    clause = "every Rest@worker leads to Praise@boss"
+    done = here("prove", "a.aseme", clause, "--save", "found.aseme")
+    first = done.out.splitlines()[0]
+    assert first.startswith(f"REFUTED   {clause} of protocol talk_ask (parts/talk.aseme:"), done.out
+    assert f"failed   {clause} of protocol talk_ask" in here("test", "found.aseme").out
+    alone = here("prove", "a.aseme", "talk.ask", clause)
+    assert (alone.code, alone.out.splitlines()[0]) == (1, first)
+
+
+def test_one_state_is_no_states(here: Here, folder: Path) -> None:
+    (folder / "a.aseme").write_text(LATE)
+    done = here("prove", "a.aseme", "agreement", "--states", "1")
+    assert "the search was cut after 1 state [" in done.out
+    assert "hint: to decide it, ask for it alone, with a larger limit: asemec prove" in done.out
+    assert "--states 5" in done.out
 
 
 def test_the_file_itself_may_take_them_once(here: Here, folder: Path) -> None:

@@ -248,6 +248,8 @@ def test_wrong_use_and_files_with_errors(prove) -> None:  # type: ignore[no-unty
     assert done.code == 2
     assert "no property, clause or question is called `deadlok`; did you mean `deadlock`?" in done.err
     assert "there are `Look@seller before Pay@buyer`, `deadlock`," in prove(BUY, "").err
+    assert "`failures`, `buy` and `team`" in prove(BUY, "").err
+    assert "`b.aseme` is one file too many" in prove(BUY, "b.aseme").err
     none = prove(BUY, "buy", "agreement").err
     assert "`agreement` has no answer: no protocol of the file has two outcomes" in none
     assert prove(BUY.replace("Choose .", "Choose ..")).code == 1

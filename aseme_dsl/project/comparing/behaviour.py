@@ -20,6 +20,7 @@ from aseme_dsl.project.proving.scopes import role_of, scope_of
 from aseme_dsl.proofs.compare.frozen import whole
 from aseme_dsl.proofs.compare.search import Bounds, Found, compare
 from aseme_dsl.proofs.compare.staging import Version
+from aseme_dsl.proofs.wording import states_text
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan
 from aseme_dsl.runtime.version.loading import Loaded, load_system
@@ -157,13 +158,14 @@ def _compared(
         said += f", but there may be shorter runs: cut after {found.cut}" if found.cut else ""
         return Result(what, Verdict.DIFFERENT, said, chart, found)
     if found.cut:
-        said = f"no difference was found, cut after {found.cut} ({found.states} states){tried}"
+        said = f"no difference was found, cut after {found.cut} ({states_text(found.states)}){tried}"
         return Result(what, Verdict.UNDECIDED, said, chart, found)
     if found.left_out or found.is_partial:
         why = found.left_out or "a few values are tried, which do not stand for all"
-        said = f"no difference was found in {found.states} states, but {why}{tried}"
+        said = f"no difference was found in {states_text(found.states)}, but {why}{tried}"
         return Result(what, Verdict.UNDECIDED, said, chart, found)
-    return Result(what, Verdict.EQUAL, f"no difference was found in all {found.states} states", chart, found)
+    said = f"no difference was found in all {states_text(found.states)}"
+    return Result(what, Verdict.EQUAL, said, chart, found)
 
 
 def _all_of(parts: Iterable[Found]) -> Found:

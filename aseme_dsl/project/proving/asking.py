@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from aseme_dsl.amola.system import System
 from aseme_dsl.diagnostics.suggest import closest
 from aseme_dsl.diagnostics.wording import did_you_mean, listed
 from aseme_dsl.grammar.text import tree
@@ -36,15 +37,24 @@ def narrowed(compiled: Compiled, asked: Sequence[str]) -> tuple[tuple[str, ...],
     own = [item.name for item in compiled.system.aips if not is_library_path(item.span.source.path)]
     parts = {TEAM: TEAM, **{name: f"protocol {name}" for name in own}}
     parts = {name: what for name, what in parts.items() if name not in titles}
-    only = dict.fromkeys(parts[name] for name in asked if name in parts)
-    return tuple(only), tuple(name for name in asked if name not in parts)
+    models = {name: name if name in titles else _in_models(name) for name in asked}
+    only = dict.fromkeys(parts[name] for name in models.values() if name in parts)
+    return tuple(only), tuple(name for name, model in models.items() if model not in parts)
 
 
-def not_there(name: str, there: Sequence[str]) -> str:
+def _in_models(name: str) -> str:
+    """What `talk.ask`, a protocol of a file with an alias, is called in the models."""
+    return name.replace(".", "_") if all(part.isidentifier() for part in name.split(".")) else name
+
+
+def not_there(name: str, there: Sequence[str], system: System) -> str:
     """That nothing is called so: with the most similar name, or with all of them."""
     if name in _NEEDS:
         return f"`{name}` has no answer: {_NEEDS[name]}"
-    names = list(dict.fromkeys((*there, *BUILT_IN)))
+    if name.endswith(".aseme"):
+        return f"`{name}` is one file too many: one system is proved, and imports its other files"
+    own = [aip.name for aip in system.aips if not is_library_path(aip.span.source.path)]
+    names = list(dict.fromkeys((*there, *BUILT_IN, *own, TEAM)))
     similar = closest(name, names)
     hint = did_you_mean(similar) if similar is not None else f"there are {listed(names)}"
     return f"no property, clause or question is called `{name}`; {hint}"

@@ -560,7 +560,8 @@ class Judge:
             return replace(found, verdict=Verdict.UNDECIDED, reason=reason, is_abstract=True)
         assert replay.played is not None
         scope, remark = self._scope, found.reason or "it is broken here"
-        case = Case(run.title, scope.roles, replay.text, scope.team, replay.played.story, remark)
+        story = scope.in_the_file(replay.played.story)
+        case = Case(run.title, scope.roles, replay.text, scope.team, story, remark)
         return replace(found, case=case)
 
     def _result(

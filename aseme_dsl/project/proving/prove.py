@@ -115,7 +115,7 @@ def prove(
     names = {*known, *(item.name for item in found)}
     missing = next((name for name in asked if name not in names), None)
     if missing is not None and must_be_there:
-        raise NotThere(not_there(missing, tuple(known)))
+        raise NotThere(not_there(missing, tuple(known), compiled.system))
     return tuple(item for item in found if not asked or item.name in asked)
 
 

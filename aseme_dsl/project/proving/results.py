@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from enum import StrEnum
 
 from aseme_dsl.play.sight.story import Happened
+from aseme_dsl.proofs.wording import states_text
 from aseme_dsl.records import dataclass
 from aseme_dsl.source import Span
 
@@ -20,11 +21,6 @@ class Verdict(StrEnum):
     PROVED = "PROVED"
     REFUTED = "REFUTED"
     UNDECIDED = "UNDECIDED"
-
-
-def states_text(count: int) -> str:
-    """`1 state`, `76 states`."""
-    return f"{count} state" if count == 1 else f"{count} states"
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,4 +108,4 @@ class Result:
         }
 
 
-__all__ = ["BUILT_IN", "Bounds", "Case", "Key", "Result", "Verdict", "states_text"]
+__all__ = ["BUILT_IN", "Bounds", "Case", "Key", "Result", "Verdict"]

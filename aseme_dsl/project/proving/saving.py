@@ -13,12 +13,18 @@ from aseme_dsl.project.proving.results import Case, Result
 from aseme_dsl.project.testing.story_pictures import diagram_of_story, file_names
 
 
-def saved(results: Iterable[Result], path: Path, root: Path) -> str:
-    """What a file contains with the counterexamples behind what it has. A new file imports the `root`."""
+def saved(results: Iterable[Result], path: Path, root: Path) -> tuple[str, int]:
+    """What a file contains with the counterexamples behind what it has, and how many it did not have.
+
+    A new file imports the `root`.
+    """
     text = outside.read_text(path) if path.exists() else f'import "{_from(path, root)}"\n'
+    new = 0
     for case in cases_of(results):
-        text += addition(text, case.roles, case.text) or ""
-    return text
+        added = addition(text, case.roles, case.text)
+        if added is not None:
+            text, new = text + added, new + 1
+    return text, new
 
 
 def cases_of(results: Iterable[Result]) -> Iterator[Case]:

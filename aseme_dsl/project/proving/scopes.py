@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
+import re
 from collections import Counter
-from collections.abc import Iterator, Set
+from collections.abc import Iterable, Iterator, Set
+from dataclasses import replace
 from pathlib import Path
 
 from aseme_dsl import outside
 from aseme_dsl.amola.aip import Aip, Participant
 from aseme_dsl.amola.messages import Kind
 from aseme_dsl.amola.system import System
+from aseme_dsl.play.sight.story import Happened
 from aseme_dsl.records import dataclass
 from aseme_dsl.source import Source, is_library_path
 
 _PREFIX = "proved_"
+
+_PLACES = re.compile(r" \(([^\s()]+:\d+(?:, [^\s()]+:\d+)*)\)")
+"""The places in a line of a story."""
 
 TEAM = "team"
 """What the scope of the team is called."""
@@ -29,6 +35,8 @@ class Scope:
     protocol: str | None = None
     roles: str = ""
     """The roles that the source has beside those of the file."""
+    lines: int = 0
+    """The number of lines of the file, if the source has more."""
 
     @property
     def agents(self) -> str:
@@ -39,6 +47,29 @@ class Scope:
     def participant(self, role: str) -> str:
         """The participant that a role plays, in a protocol alone."""
         return role.removeprefix(f"{_PREFIX}{self.protocol}_")
+
+    def in_the_file(self, story: Iterable[Happened]) -> tuple[Happened, ...]:
+        """A story without the places that are beyond the end of the file."""
+        if not self.lines or not isinstance(self.root, Source):
+            return tuple(story)
+        name = Path(self.root.path).name
+
+        def is_there(place: str) -> bool:
+            file, _, line = place.rpartition(":")
+            return file != name or int(line) <= self.lines
+
+        def shown(text: str) -> str:
+            return _PLACES.sub(lambda found: _in_parentheses(filter(is_there, found[1].split(", "))), text)
+
+        return tuple(
+            replace(
+                item,
+                text=shown(item.text),
+                at=shown(f" ({item.at})")[2:-1],
+                details=tuple(map(shown, item.details)),
+            )
+            for item in story
+        )
 
 
 def scopes_of(root: Path | Source, system: System, robots: int) -> Iterator[Scope]:
@@ -69,7 +100,13 @@ def scope_of(root: Path | Source, aip: Aip, robots: int, names: Set[str] = froze
     there = _in_one_line(source.text)
     missing = [text for text in texts if _in_one_line(text) not in there]  # a saved counterexample has them
     whole = Source(source.path, f"{source.text}\n\n{''.join(missing)}")
-    return Scope(f"protocol {aip.name}", whole, team, aip.name, "".join(texts))
+    lines = len(source.text.splitlines())
+    return Scope(f"protocol {aip.name}", whole, team, aip.name, "".join(texts), lines)
+
+
+def _in_parentheses(texts: Iterable[str]) -> str:
+    said = ", ".join(texts)
+    return f" ({said})" if said else ""
 
 
 def _in_one_line(text: str) -> str:

@@ -15,6 +15,7 @@ from aseme_dsl.proofs.compare.side import Seen, Side, Stand
 from aseme_dsl.proofs.compare.staging import Version, open_channels
 from aseme_dsl.proofs.explore.ages import asks_for_history, thresholds_of
 from aseme_dsl.proofs.explore.deciding.staging import lists_of
+from aseme_dsl.proofs.wording import states_text
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.plan import Plan
 
@@ -124,7 +125,7 @@ class _Search:
             if len(self.differences) >= self.bounds.differences:
                 return ""
             if len(self.nodes) > self.bounds.states:
-                return f"{self.bounds.states} states"
+                return states_text(self.bounds.states)
             place += 1
         return ""
 

@@ -11,6 +11,7 @@ from aseme_dsl.proofs.explore.deciding.others import NothingNew
 from aseme_dsl.proofs.explore.explored import Circling, Explored, Letter, Move
 from aseme_dsl.proofs.explore.memory import Picture
 from aseme_dsl.proofs.timed.stamp import Window
+from aseme_dsl.proofs.wording import states_text
 from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.agent.agent import Agent
 from aseme_dsl.runtime.trace.records import Record
@@ -313,7 +314,7 @@ class Search:
         if self._is_enough(self._graph):
             return ENOUGH
         if len(self._graph.parents) >= self._limits.states:
-            return f"{self._limits.states} states"
+            return states_text(self._limits.states)
         if self._graph.moves >= self._limits.moves:
             return f"{self._limits.moves} moves"
         if self._clock.is_over():

@@ -36,6 +36,7 @@ from aseme_dsl.proofs.timed.zone import (
     narrowed,
     shown,
 )
+from aseme_dsl.proofs.wording import states_text
 from aseme_dsl.records import dataclass
 
 _Rows = tuple[tuple[int, ...], ...]
@@ -126,7 +127,7 @@ class _Search:
             if graph.broken or graph.sightings:
                 graph.cut = ENOUGH
             elif len(graph.parents) >= self._limits.states:
-                graph.cut = f"{self._limits.states} states"
+                graph.cut = states_text(self._limits.states)
             elif self._clock.is_over():
                 graph.cut = self._limits.time
             if graph.cut is not None:

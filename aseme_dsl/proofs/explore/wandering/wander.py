@@ -14,6 +14,7 @@ from aseme_dsl.proofs.explore.explored import Explored, Letter, Move
 from aseme_dsl.proofs.explore.search import ENOUGH, Edge, Eyes, Graph, Limits, Monitors, Search
 from aseme_dsl.proofs.explore.wandering.tries import Tries
 from aseme_dsl.proofs.guide import FAR, distances
+from aseme_dsl.proofs.wording import states_text
 
 Goal = tuple[str, str]
 """A role and the label of a state of it, at which something was not reached yet."""
@@ -102,7 +103,7 @@ class _Wander(Search):
         if self._is_enough(self._graph):
             return ENOUGH
         if states >= self._limits.states and (states >= _MORE * self._limits.states or not self._left()):
-            return f"{states} states"
+            return states_text(states)
         return self._limits.time if self._clock.is_over() else None
 
     def _left(self) -> Sequence[Goal]:
