@@ -218,7 +218,7 @@ def test_a_search_that_was_cut_is_never_equal(here: Here) -> None:
     done = compare(here, ASK, new, "--states", "1")
     assert done.code == 3, done.out
     assert "no difference in behaviour was found, but not all was compared" in done.out
-    assert re.search(r"role clerk: undecided, no difference was found, cut after 1 states", done.out)
+    assert re.search(r"role clerk: undecided, no difference was found, cut after 1 state \(2 states\)", done.out)
 
 
 def test_as_a_comment_on_a_change(here: Here) -> None:
