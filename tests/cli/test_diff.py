@@ -206,6 +206,24 @@ def test_a_rename_is_called_so_and_hides_nothing(here: Here) -> None:
     assert new == ["starts Search"]
 
 
+def test_participants_are_compared_by_their_new_names(here: Here) -> None:
+    renamed = re.sub(r"\bseller\b", "trader", ASK)
+    done = compare(here, ASK, changed(renamed, ("after(10s)", "after(5s)")), "--json")
+    found = {what: items for what, items in runs(done).items() if items}
+    assert set(found) == {"role customer", "protocol buy: buyer"}
+    ((inputs, old, new),) = found["role customer"]
+    assert (inputs[-1], old, new) == ("5 s pass", [], ["starts GoHome"])
+    done = compare(here, ASK, changed(renamed, ("euros = 5", "euros = 6")), "--json")
+    found = {what: items for what, items in runs(done).items() if items}
+    assert set(found) == {"role clerk", "protocol buy: trader"}
+
+
+def test_an_outcome_that_comes_otherwise_shows_when(here: Here) -> None:
+    ends = changed(ASK, ("  control buyer", '  outcome "It is paid." when Pay@buyer\n  control buyer'))
+    done = compare(here, ends, changed(ends, ("when Pay@buyer", "when Close@seller")))
+    assert "  - when Pay@buyer\n  + when Close@seller\n" in done.out
+
+
 def test_what_charts_do_not_show_is_a_difference_too(here: Here) -> None:
     done = compare(here, KICK, changed(KICK, ("takes 200ms", "takes 300ms")))
     assert done.code == 1
@@ -218,7 +236,9 @@ def test_a_search_that_was_cut_is_never_equal(here: Here) -> None:
     done = compare(here, ASK, new, "--states", "1")
     assert done.code == 3, done.out
     assert "no difference in behaviour was found, but not all was compared" in done.out
-    assert re.search(r"role clerk: undecided, no difference was found, cut after 1 state \(2 states\)", done.out)
+    assert re.search(
+        r"role clerk: undecided, no difference was found, cut after 1 state \(2 states\)", done.out
+    )
 
 
 def test_as_a_comment_on_a_change(here: Here) -> None:

@@ -149,7 +149,8 @@ def _compared(
     if _with_names(kinds[0].PLAN, names) == _with_names(kinds[1].PLAN, {}):
         return Result(what, Verdict.EQUAL, "unchanged", chart, is_unchanged=True)
     new_names = {**names.get("activity", {}), **names.get("variable", {}), **names.get("state", {})}
-    first = Version(kinds[0], loaded[0].types, new_names)
+    new_parts = {**names.get("protocol", {}), **names.get("participant", {})}
+    first = Version(kinds[0], loaded[0].types, new_names, new_parts)
     found = _all_of(compare(first, Version(kinds[1], loaded[1].types), pair, bounds) for pair in agents)
     tried = f"; tried are {_some(found.tried)}" if found.tried else ""
     if found.differences:

@@ -87,7 +87,8 @@ def _parts(system: System) -> Iterator[Element]:
         for clause in aip.clauses:
             yield _element("clause", aip.name, clause.text, clause, matters=False)
         for outcome in aip.outcomes:
-            yield _element("outcome", aip.name, outcome.text, outcome, aip.span, matters=False)
+            when = f"when {' or '.join(outcome.when)}" if outcome.when else "without `when`"
+            yield _element("outcome", aip.name, outcome.text, outcome, aip.span, text=when, matters=False)
         for part in aip.participants:
             yield from _participant(aip.name, part)
     for srm in system.srms:

@@ -160,7 +160,7 @@ class Surroundings:
         for info in side.plan.branches:
             if not side.is_in_branch(info.label):
                 continue
-            part = f"{info.protocol}.{info.participant}"
+            part = side.stage.version.part_of(info)
             number = counts[part]
             counts[part] += 1
             leaves = [leaf for leaf in side.chart.configuration() if is_in(leaf, info.label)]
@@ -178,14 +178,15 @@ class Surroundings:
                         continue
                     for content in self._contents(message):
                         said = f"{performative} {message}{'' if content is None else f' {shown(content)}'}"
-                        more = (performative, message, participant, sender)
+                        more = (performative, message, side.stage.version.part(participant), sender)
                         yield Move("message", f"{said} arrives from {sender}", part, number, more, content)
             for participant in info.loses:
                 for sender in side.others(info.label, participant):
                     if (LOST, "", sender) not in waiting:
                         for reason in self._reasons:
                             text = f"{sender} is lost ({reason})"
-                            yield Move("lost", text, part, number, (participant, sender, reason))
+                            gone = (side.stage.version.part(participant), sender, reason)
+                            yield Move("lost", text, part, number, gone)
 
     # ---- what it is for one version ----------------------------------------------------------
 
@@ -230,15 +231,17 @@ class Surroundings:
         found = [
             info.label
             for info in side.plan.branches
-            if f"{info.protocol}.{info.participant}" == move.name and side.is_in_branch(info.label)
+            if side.stage.version.part_of(info) == move.name and side.is_in_branch(info.label)
         ]
         if len(found) <= move.number:
             return []
         branch = found[move.number]
         if move.kind == "lost":
-            participant, sender, reason = move.more
+            part, sender, reason = move.more
+            participant = side.stage.version.own_part(part)
             return [AgentMessage(branch, LOST, "", reason, participant, sender, (sender, number))]
-        performative, message, participant, sender = move.more
+        performative, message, part, sender = move.more
+        participant = side.stage.version.own_part(part)
         content = side.stage.as_own(move.content)
         return [AgentMessage(branch, performative, message, content, participant, sender, (sender, number))]
 

@@ -161,7 +161,7 @@ class Side:
                 case Left(branch, completed):
                     info = self.branch(branch)
                     text = "completes" if completed else "leaves before its end"
-                    found.add("part", f"{text} its part {info.protocol}.{info.participant}")
+                    found.add("part", f"{text} its part {self.stage.version.part_of(info)}")
                 case _:
                     pass
         self.running += tuple(sorted(begun, key=lambda item: (item.name, self.contexts[item.label])))
@@ -209,7 +209,8 @@ class Side:
         return [Sample(effect.channel, message, me, now, (me, self._named), effect.region)]
 
     def _send(self, effect: Sending, found: _Found) -> list[Input]:
-        to = effect.to or f"{'one ' if effect.one else ''}{effect.participant}"
+        part = self.stage.version.part(effect.participant)
+        to = effect.to or f"{'one ' if effect.one else ''}{part}"
         if effect.excepts:
             to += f" except {', '.join(sorted(effect.excepts))}"
         content = shown(decided(effect.content, self.stage.decisions.made)) if effect.filled else ""
@@ -285,7 +286,8 @@ class Side:
     def others(self, branch: str, participant: str) -> tuple[str, ...]:
         """The agents that play a participant."""
         several = self.branch(branch).size_of(participant)[1] != 1
-        return (f"{participant}1", f"{participant}2") if several else (participant,)
+        name = self.stage.version.part(participant)
+        return (f"{name}1", f"{name}2") if several else (name,)
 
     def takes(self, item: AgentMessage) -> bool:
         """Whether its branch can take an agent message now or later."""

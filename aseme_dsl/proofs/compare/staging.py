@@ -16,7 +16,7 @@ from aseme_dsl.records import dataclass
 from aseme_dsl.runtime.chart.board import Board
 from aseme_dsl.runtime.chart.chart import Chart
 from aseme_dsl.runtime.chart.functions import find_function, is_of_library
-from aseme_dsl.runtime.chart.plan import Plan
+from aseme_dsl.runtime.chart.plan import BranchInfo, Plan
 
 LONG_AGO = -(10**18)
 """The time of a message whose age nothing asks for: it never becomes due."""
@@ -30,10 +30,24 @@ class Version:
     types: Mapping[str, type[object]]
     names: Mapping[str, str] = field(default_factory=dict)
     """What is called otherwise in the other version: its name there by that here."""
+    parts: Mapping[str, str] = field(default_factory=dict)
+    """The same for participants and protocols."""
 
     def name(self, own: str) -> str:
         """The name by which both versions know something."""
         return self.names.get(own, own)
+
+    def part(self, own: str) -> str:
+        """The name by which both versions know a participant or a protocol."""
+        return self.parts.get(own, own)
+
+    def own_part(self, name: str) -> str:
+        """What a participant is called here."""
+        return next((own for own, other in self.parts.items() if other == name), name)
+
+    def part_of(self, info: BranchInfo) -> str:
+        """The name by which both versions know the part of a branch."""
+        return f"{self.part(info.protocol)}.{self.part(info.participant)}"
 
     @property
     def plan(self) -> Plan:
