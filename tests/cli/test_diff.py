@@ -300,6 +300,19 @@ def test_two_revisions(here: Here, tmp_path: Path) -> None:
     assert (done.code, "HEAD has no other.aseme" in done.err) == (2, True)
 
 
+def test_what_is_wrong_in_a_revision_has_its_name(here: Here, tmp_path: Path) -> None:
+    (tmp_path / "parts").mkdir()
+    (tmp_path / "parts/ball.aseme").write_text("message Ball { doubel x }\n", "utf-8")
+    (tmp_path / "team.aseme").write_text('system T\nimport "parts/ball.aseme"\n', "utf-8")
+    for words in (["init", "-q"], ["add", "."], ["commit", "-qm", "one"]):
+        settings = ["-c", "user.name=a", "-c", "user.email=a@b.c", "-c", "commit.gpgsign=false"]
+        subprocess.run(["git", *settings, *words], cwd=tmp_path, check=True, capture_output=True)
+    done = here("diff", "HEAD", "team.aseme")
+    assert (done.code, done.err.splitlines()[0][:34]) == (1, "HEAD:parts/ball.aseme:1:16: error["), done.err
+    done = here("diff", "HEAD:parts/ball.aseme", "team.aseme")
+    assert "HEAD:parts/ball.aseme declares no system" in done.err, done.err
+
+
 def test_outside_of_a_repository(here: Here, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("GIT_CEILING_DIRECTORIES", str(Path().resolve().parent))
     done = here("diff", "HEAD~1", "HEAD")

@@ -6,17 +6,21 @@ import ast
 import subprocess
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
+from dataclasses import fields, is_dataclass, replace
 from pathlib import Path, PurePosixPath
 from tempfile import TemporaryDirectory
+from typing import TypeVar, cast
 
 from aseme_dsl import outside
 from aseme_dsl.amola.system import System
 from aseme_dsl.compiler.phases import inspect_files
-from aseme_dsl.diagnostics import Diagnostic, has_errors
+from aseme_dsl.diagnostics import Diagnostic, Problem, has_errors
 from aseme_dsl.project.building.project import configuration_for, options_of
 from aseme_dsl.project.settings.configuration import Configuration
 from aseme_dsl.project.settings.target import sources_of
 from aseme_dsl.records import dataclass
+
+_T = TypeVar("_T")
 
 SUFFIXES = (".aseme", ".proto", ".py", ".toml")
 """What of a revision is read: sources, the code of functions, and the project's settings."""
@@ -63,7 +67,22 @@ def opened(name: str, path: str | None = None) -> Iterator[Compiled]:
     with TemporaryDirectory(prefix="asemec-diff-") as folder:
         root = Path(folder).resolve()
         place = _check_out(revision, inside or path or ".", root, name)
-        yield _compiled(name, place)
+        found = _compiled(name, place)
+        yield replace(found, diagnostics=_as_in_git(found.diagnostics, f"{root}/", f"{revision}:"))
+
+
+def _as_in_git(value: _T, folder: str, revision: str) -> _T:
+    """What is said of files of a revision, with their names as git has them: `HEAD~1:parts/legs.aseme`."""
+    if isinstance(value, str):
+        return cast("_T", value.replace(folder, revision))
+    if isinstance(value, Problem):
+        return value.but(**{name: _as_in_git(item, folder, revision) for name, item in vars(value).items()})
+    if isinstance(value, tuple):
+        return cast("_T", tuple(_as_in_git(item, folder, revision) for item in value))
+    if not is_dataclass(value) or isinstance(value, type):
+        return value
+    inside = {item.name: getattr(value, item.name) for item in fields(value) if item.init}
+    return replace(value, **{name: _as_in_git(item, folder, revision) for name, item in inside.items()})
 
 
 def _compiled(name: str, place: Path) -> Compiled:
