@@ -393,6 +393,14 @@ def test_another_model(run: list[str], here: Here) -> None:
     assert (done.code, "the model has no role service, which ann plays" in done.out) == (0, True), done.out
 
 
+def test_where_an_agent_of_another_version_is_nobody_knows(run: list[str], here: Here) -> None:
+    Path("later.aseme").write_text(KITCHEN.replace("kitchen = cook~", "kitchen = cook"))
+    done = here("observe", "out", "--model", "later.aseme")
+    story = done.out.partition('property "no meal"')[2]
+    assert "ran another version of kitchen than that in the model" in story
+    assert "is in no state" not in done.out
+
+
 def test_a_file_that_was_not_run_has_no_log_of_another_one(run: list[str], here: Here) -> None:
     Path("other.aseme").write_text("system Other\nsrm one { liveness { one = Walk } }\n")
     for command in ("observe", "replay", "sniff"):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import replace
 
 from aseme_dsl.play.observer import KINDS, Observer
 from aseme_dsl.play.scenario import Script
@@ -217,7 +218,13 @@ class Statements:
         assert self._watch is not None
         if self._is_hasty:
             raise StoryWanted
-        return Statement(self._watch.of(number, "broken"), story=self._observer.stories[number])
+        story = tuple(map(self._told_of, self._observer.stories[number]))
+        return Statement(self._watch.of(number, "broken"), story=story)
+
+    def _told_of(self, item: Happened) -> Happened:
+        """A line of a story: of an agent whose steps are not known, why, and not in which state it is."""
+        why = self.evidence.strangers.get(item.agent) if item.stands else None
+        return item if why is None else replace(item, text=why.removeprefix(f"{item.agent} "), at="")
 
     def _statement(self, number: int, item: Watched) -> Statement:
         """What has become of one: it is undecided where the log does not have what it asks for."""
