@@ -146,6 +146,17 @@ def test_a_clause_of_a_file_with_an_alias_is_played(here: Here, folder: Path) ->
     assert (alone.code, alone.out.splitlines()[0]) == (1, first)
 
 
+def test_an_activity_that_may_fail_does_so_as_is_assumed(here: Here, folder: Path) -> None:
+    (folder / "a.aseme").write_text(
+        "system A\nsrm robot { liveness { robot = Grasp . Rest } }\nteam T { one : robot }\n"
+        'property "it rests" { assume Grasp may fail  never one in Rest }\n'
+    )
+    done = here("prove", "a.aseme", "failures", "it rests", "--stories", "stories")
+    assert "one fails: activity Grasp of state 0.2 fails, as is assumed [" in done.out
+    drawn = (folder / "stories/it-rests-of-team.svg").read_text()
+    assert "a.aseme:4:46: it is broken here" in drawn
+
+
 def test_one_state_is_no_states(here: Here, folder: Path) -> None:
     (folder / "a.aseme").write_text(LATE)
     done = here("prove", "a.aseme", "agreement", "--states", "1")

@@ -560,6 +560,7 @@ class Judge:
             return replace(found, verdict=Verdict.UNDECIDED, reason=reason, is_abstract=True)
         assert replay.played is not None
         scope, remark = self._scope, found.reason or "it is broken here"
+        remark = remark if found.span is None else f"{found.span}: {remark}"
         story = scope.in_the_file(replay.played.story)
         case = Case(run.title, scope.roles, replay.text, scope.team, story, remark)
         return replace(found, case=case)

@@ -67,6 +67,9 @@ from aseme_dsl.runtime.version.loading import Loaded
 SETTLES = 1000
 """A team that makes so many steps at one moment goes round in circles."""
 
+FAILS = "it fails"
+"""Why an activity fails here."""
+
 
 class Circling(Exception):
     """Agents step again and again at one moment."""
@@ -925,7 +928,7 @@ class Explored:
 
     def _fail(self, execution: Execution) -> None:
         self.driver.running.remove(execution)
-        execution.returned(RuntimeError("it fails"))
+        execution.returned(RuntimeError(FAILS))
 
 
 def _is_idle(node: _Node) -> bool:
@@ -951,4 +954,4 @@ def _passed(plan: Plan, item: Passing) -> str:
             return f"{item.name} is {shown(item.duration)} old"
 
 
-__all__ = ["Assumed", "Circling", "Explored", "Letter", "Move"]
+__all__ = ["FAILS", "Assumed", "Circling", "Explored", "Letter", "Move"]

@@ -8,7 +8,7 @@ from heapq import heappop, heappush
 from time import monotonic, process_time
 
 from aseme_dsl.proofs.explore.deciding.others import NothingNew
-from aseme_dsl.proofs.explore.explored import Circling, Explored, Letter, Move
+from aseme_dsl.proofs.explore.explored import FAILS, Circling, Explored, Letter, Move
 from aseme_dsl.proofs.explore.memory import Picture
 from aseme_dsl.proofs.timed.stamp import Window
 from aseme_dsl.proofs.wording import states_text
@@ -175,7 +175,8 @@ class Eyes:
                     message = str(record.get("message", ""))
                     self.untaken.append((record["sender"], record["agent"], text, message))
             case "error":
-                self.seen.append(("failure", f"{record['agent']} fails: {record['reason']}", ()))
+                why = record["reason"].replace(f" failed: RuntimeError: {FAILS}", " fails, as is assumed")
+                self.seen.append(("failure", f"{record['agent']} fails: {why}", ()))
 
 
 @dataclass(frozen=True, slots=True)
