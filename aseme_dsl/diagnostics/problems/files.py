@@ -343,7 +343,7 @@ class NoSystem(Problem):
     def message(self) -> str:
         return f"{self.path} declares no system"
 
-    hint = "name it in the first line: `system Kouretes`"
+    hint = "name it in the first line: `system Kouretes`; if another file imports this one, give that file"
 
 
 class BuiltFromInput(Problem):
