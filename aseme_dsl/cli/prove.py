@@ -73,7 +73,7 @@ _ROBOTS = 2
 @click.option(
     "--save",
     "saved",
-    type=FilePath(path_type=Path),
+    type=FilePath(dir_okay=False, path_type=Path),
     metavar="FILE",
     help="Append the counterexamples to FILE, as scenarios.",
 )

@@ -79,7 +79,7 @@ if TYPE_CHECKING:
 @click.option(
     "--save",
     "saved",
-    type=FilePath(path_type=Path),
+    type=FilePath(dir_okay=False, path_type=Path),
     metavar="FILE",
     help="Append the smallest case of each failure to FILE, as a scenario.",
 )

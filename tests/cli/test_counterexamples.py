@@ -121,6 +121,15 @@ def test_it_says_what_was_saved(here: Here, folder: Path) -> None:
     assert here(*asked, "--json").err == ""
 
 
+@pytest.mark.parametrize("command", ["prove", "test"])
+def test_a_folder_is_no_file_to_save_in(here: Here, folder: Path, command: str) -> None:
+    (folder / "a.aseme").write_text(LATE)
+    (folder / "found").mkdir()
+    done = here(command, "a.aseme", "--save", "found")
+    assert (done.code, done.out) == (2, "")
+    assert "Invalid value for '--save': File 'found' is a directory." in done.err
+
+
 def test_a_story_names_no_line_that_the_file_does_not_have(here: Here, folder: Path) -> None:
     (folder / "a.aseme").write_text(LATE)
     here("prove", "a.aseme", "agreement", "--stories", "stories")
