@@ -549,7 +549,7 @@ class _Lowering:
             _refuse(
                 name,
                 f"{count} agents play {role}: name one, write `some {role}` or `every {role}`,"
-                f" or choose the one that `any {role}` is with `--role {role}={playing[0]}`",
+                f" or choose the one that `any {role}` is with `asemec test --role {role}={playing[0]}`",
             )
         return playing[0]
 
