@@ -218,6 +218,33 @@ def test_participants_are_compared_by_their_new_names(here: Here) -> None:
     assert set(found) == {"role clerk", "protocol buy: trader"}
 
 
+MOODS = """\
+system Moods
+enum Mood { CALM BUSY }
+message Note { int size  repeated string words }
+topic wall { state Note from outside }
+srm robot {
+  var mood : Mood = Mood.CALM
+  liveness { robot = Look . (Work | Rest) }
+  activities { Look writes mood }
+  control robot {
+    enter Work : [mood == Mood.BUSY && has(wall.state.Note)]
+    enter Rest : else
+  }
+}
+"""
+
+
+def test_enums_and_messages_show_what_has_changed(here: Here) -> None:
+    done = compare(
+        here, MOODS, changed(MOODS, ("CALM BUSY }", "CALM BUSY IDLE }"), ("int size", "double size"))
+    )
+    assert "  - { CALM BUSY }\n  + { CALM BUSY IDLE }\n" in done.out, done.out
+    assert "  - { int size repeated string words }\n  + { double size repeated string words }\n" in done.out
+    done = compare(here, MOODS, changed(MOODS, ("mood == Mood.BUSY", "mood != Mood.BUSY")))
+    assert "(mood is CALM" in done.out or "(mood is BUSY" in done.out, done.out
+
+
 def test_an_outcome_that_comes_otherwise_shows_when(here: Here) -> None:
     ends = changed(ASK, ("  control buyer", '  outcome "It is paid." when Pay@buyer\n  control buyer'))
     done = compare(here, ends, changed(ends, ("when Pay@buyer", "when Close@seller")))

@@ -66,9 +66,11 @@ def _requirements(system: System) -> Iterator[Element]:
 
 def _messages(system: System) -> Iterator[Element]:
     for enum in system.enums:
-        yield _element("enum", "", enum.name, enum)
+        said = " ".join(name for name, _ in enum.constants)
+        yield _element("enum", "", enum.name, enum, text=f"{{ {said} }}")
     for message in system.messages:
-        yield _element("message", "", message.name, message)
+        said = " ".join(f"{item.label} {item.type} {item.name}".lstrip() for item in message.fields)
+        yield _element("message", "", message.name, message, text=f"{{ {said} }}")
     for topic in system.topics:
         for rules in topic.channels:
             about = (rules, topic.under, topic.radio, topic.delay)

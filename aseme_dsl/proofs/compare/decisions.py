@@ -95,7 +95,7 @@ class Decisions:
                 self._is_open = True
                 answer = self._chance.choice(answers)
                 if text and answer is not None:
-                    self.choices.said.append(text.format(answer))
+                    self.choices.say(text, answer)
             else:
                 answer = self.choices.of(question, answers, text)
             self.made[question] = answer
