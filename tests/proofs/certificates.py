@@ -109,6 +109,7 @@ def _size(bounds: Bounds, limit: int) -> int:
 def _plain(text: str) -> str:
     """A text in a table, not too long, without the places in files."""
     text = re.sub(r" \([\w./-]+\.aseme:[0-9:]+\)", "", text)
+    text = text.replace("; abstract: ", ". Abstract: ")
     if len(text) > _LONGEST:
         text = text[:_LONGEST].rsplit(" ", 1)[0]
         text = f"{text} …`" if text.count("`") % 2 else f"{text} …"
