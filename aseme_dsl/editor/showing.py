@@ -18,12 +18,13 @@ from aseme_dsl import outside
 from aseme_dsl.editor.files.program import Program, errors_in_texts
 from aseme_dsl.editor.files.view import View
 from aseme_dsl.editor.proving.proofs import Answer, Proofs, Running, Text
-from aseme_dsl.editor.proving.questions import Question, digest, questions
+from aseme_dsl.editor.proving.questions import Question, digest, questions, text_of
 from aseme_dsl.editor.proving.settings import WrongSetting, read_settings
 from aseme_dsl.editor.proving.titles import running_title, title_of
 from aseme_dsl.editor.reading import reading
 from aseme_dsl.grammar.layout.adding import addition
 from aseme_dsl.grammar.parsing.parts import TooSlow
+from aseme_dsl.grammar.text import tree
 from aseme_dsl.source import Span
 
 if TYPE_CHECKING:
@@ -129,6 +130,7 @@ class Showing:
     def _refuted(self, view: View) -> Iterator[tuple[Question, Answer]]:
         """The refuted answers of the text as it is now, each at the first place that asks for it."""
         seen: set[tuple[str, str]] = set()
+        elsewhere = self._of_other_files(view)
         asked = [item for item in questions(view) if item.asked]
         asked += [item for item in questions(view) if not item.asked]  # the team, where none is declared
         for question in asked:
@@ -136,8 +138,20 @@ class Showing:
             for answer in answers if is_current else ():
                 if answer.verdict == "REFUTED" and (answer.name, answer.of) not in seen:
                     seen.add((answer.name, answer.of))
-                    if question.asked or answer.of == "team":
+                    if question.asked or (answer.of == "team" and answer.name not in elsewhere):
                         yield question, answer
+
+    def _of_other_files(self, view: View) -> set[str]:
+        """The names of what stands in the other open files of the system: what is refuted is shown there."""
+        files = view.program.files
+        others = [path for path in files if path != view.path and path in self._server.files.buffers]
+        found: set[str] = set()
+        for item in (item for path in others for item in files[path].declarations):
+            if isinstance(item, tree.Property):
+                found.add(item.title.text)
+            elif isinstance(item, tree.Aip):
+                found.update(text_of(clause) for clause in item.clauses)
+        return found
 
     def _found(self, view: View, question: Question) -> tuple[list[Answer], str, bool]:
         return self.proofs.found(view.program.root, self._digest(view.program), question)

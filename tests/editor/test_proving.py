@@ -284,6 +284,22 @@ linux = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="looks i
 
 
 @linux
+async def test_what_is_refuted_in_an_open_imported_file_is_shown_there_only(project: Project) -> None:
+    published = published_by(project.client)
+    whole, _, rests = SMALL.partition("property")
+    put(project, "part.aseme", f"property{rests}")
+    put(project, "small.aseme", whole.replace("\n\n", '\n\nimport "part.aseme"\n\n', 1))
+    await click(project, "small.aseme", "all")
+    await shown(project, "part.aseme", "property never rests", is_verdict)
+
+    def refuted(name: str) -> list[lsp.Diagnostic]:
+        (*_, last) = [item for item in published if item.uri == project.uri(name)]
+        return [item for item in last.diagnostics if item.code == CODE]
+
+    await until(lambda: refuted("part.aseme"))
+    assert refuted("small.aseme") == []
+
+
 async def test_what_is_saved_is_proved_when_it_is_wanted(project: Project) -> None:
     put(project, "small.aseme", SMALL)
     put(project, "small.aseme", SMALL)

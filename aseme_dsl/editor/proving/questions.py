@@ -53,9 +53,14 @@ def questions(view: View) -> Iterator[Question]:
                 own = f"protocol {item.name.text}"
                 yield Question(own, BUILT_IN, (own,), span, view.whole(item.name.span))
                 for clause in item.clauses:
-                    text = " ".join(clause.span.text.split()).removeprefix("clause ")
+                    text = text_of(clause)
                     place = view.whole(clause.span)
                     yield Question(f"{own} clause {text}", (text,), (own, TEAM), place, place)
+
+
+def text_of(clause: tree.Clause) -> str:
+    """What a clause says, in one line."""
+    return " ".join(clause.span.text.split()).removeprefix("clause ")
 
 
 def digest(program: Program) -> str:
@@ -73,4 +78,4 @@ def digest(program: Program) -> str:
     return found.hexdigest()
 
 
-__all__ = ["BUILT_IN", "OF_A_RUN", "TEAM", "Question", "digest", "questions"]
+__all__ = ["BUILT_IN", "OF_A_RUN", "TEAM", "Question", "digest", "questions", "text_of"]
