@@ -243,6 +243,12 @@ def test_a_crash_is_looked_at_where_it_is_assumed(prove) -> None:  # type: ignor
     assert by_scope["protocol buy"]["verdict"] == "PROVED"
 
 
+def test_a_property_may_be_called_as_a_question(prove) -> None:  # type: ignore[no-untyped-def]
+    robot = "system A\nsrm robot { liveness { robot = Go . Rest } }\n"
+    done = prove(robot + 'property "deadlock" { never robot in Rest }\n', "deadlock", "--json")
+    assert [item["verdict"] for item in done.json["results"]] == ["REFUTED", "PROVED"], done.out
+
+
 def test_wrong_use_and_files_with_errors(prove) -> None:  # type: ignore[no-untyped-def]
     done = prove(BUY, "deadlok")
     assert done.code == 2

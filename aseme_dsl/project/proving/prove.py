@@ -329,7 +329,7 @@ def _searched(
     if watch is not None:  # the number of the only one, or of those that were asked for
         wanted = (0,) if about is not None else watch.numbers_of(asked)
     there = set() if script is None else {named(item) for item in script.expectations}
-    is_all = about is not None or (bool(asked) and {*asked} <= there)
+    is_all = about is not None or (bool(asked) and {*asked} <= there - {*BUILT_IN})
     far = None if script is None or about is None else _guess(script, explored)
     if times is not None:
         watching = Watching()
