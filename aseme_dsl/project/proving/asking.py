@@ -10,16 +10,15 @@ from aseme_dsl.diagnostics.wording import did_you_mean, listed
 from aseme_dsl.grammar.text import tree
 from aseme_dsl.project.building.project import Compiled
 from aseme_dsl.project.proving.results import BUILT_IN
+from aseme_dsl.project.proving.scopes import TEAM
 from aseme_dsl.source import is_library_path
 
-TEAM = "team"
-_TALKS = "no agent here has agent messages"
+_TALKS = "no agent sends or takes a message of a protocol"
 _NEEDS = {
-    "agreement": "no protocol of the file has two outcomes that say `when`",
+    "agreement": "no protocol of the file has two outcomes with `when`",
     "orphan messages": _TALKS,
     "non-local choice": _TALKS,
 }
-"""Why a question may have no answer."""
 
 
 def narrowed(compiled: Compiled, asked: Sequence[str]) -> tuple[tuple[str, ...], tuple[str, ...]]:
@@ -47,10 +46,15 @@ def _in_models(name: str) -> str:
     return name.replace(".", "_") if all(part.isidentifier() for part in name.split(".")) else name
 
 
+def nothing_for(question: str) -> str:
+    """Why there is nothing of which a built-in question asks."""
+    return _NEEDS.get(question, "there is no role and no protocol")
+
+
 def not_there(name: str, there: Sequence[str], system: System) -> str:
     """That nothing is called so: with the most similar name, or with all of them."""
-    if name in _NEEDS:
-        return f"`{name}` has no answer: {_NEEDS[name]}"
+    if name in BUILT_IN:
+        return f"`{name}` has no answer: {nothing_for(name)}"
     if name.endswith(".aseme"):
         return f"`{name}` is one file too many: one system is proved, and imports its other files"
     own = [aip.name for aip in system.aips if not is_library_path(aip.span.source.path)]
@@ -60,4 +64,4 @@ def not_there(name: str, there: Sequence[str], system: System) -> str:
     return f"no property, clause or question is called `{name}`; {hint}"
 
 
-__all__ = ["narrowed", "not_there"]
+__all__ = ["narrowed", "not_there", "nothing_for"]

@@ -27,7 +27,7 @@ from aseme_dsl.play.scenario import (
 from aseme_dsl.project.building.build import choose
 from aseme_dsl.project.building.project import Compiled, compile_root
 from aseme_dsl.project.playing.operate import generate_version
-from aseme_dsl.project.proving.asking import not_there
+from aseme_dsl.project.proving.asking import not_there, nothing_for
 from aseme_dsl.project.proving.contradicting import contradiction_in
 from aseme_dsl.project.proving.judging import (
     Answers,
@@ -67,15 +67,6 @@ from aseme_dsl.runtime.monitor.rules import Never
 from aseme_dsl.runtime.trace.trace import Listener
 from aseme_dsl.runtime.version.loading import Loaded
 from aseme_dsl.source import Span
-
-_EMPTY = "vacuous: there is no role and no protocol"
-_TALKLESS = "vacuous: no agent sends or takes a message of a protocol"
-_VACUOUS = {
-    "orphan messages": _TALKLESS,
-    "non-local choice": _TALKLESS,
-    "agreement": "vacuous: no protocol of the file has two outcomes with `when`",
-}
-"""Why there may be nothing to ask; for other questions, if there is nothing at all."""
 
 
 class NotThere(Exception):
@@ -390,7 +381,8 @@ def _unsaid(
     names = {item.name for item in found}
     for name in BUILT_IN:
         if name in asked and name not in names:
-            yield Result(name, TEAM, Verdict.UNDECIDED, bounds, _VACUOUS.get(name, _EMPTY), is_built_in=True)
+            reason = f"vacuous: {nothing_for(name)}"
+            yield Result(name, TEAM, Verdict.UNDECIDED, bounds, reason, is_built_in=True)
     for chart in () if asked else system.iacs:
         if is_for_a_run(chart.name):
             continue

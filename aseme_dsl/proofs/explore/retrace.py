@@ -349,6 +349,7 @@ class _Retrace:
         comes: tuple[str, str] | None = None
         publishes = ""
         given: dict[tuple[str, str], object] = {}
+        joined = iter(self._explored.joined)
         for what, value in heard:
             match what:
                 case ("ends",):
@@ -400,6 +401,8 @@ class _Retrace:
                     pass  # what it does not take at once, it takes with what comes
                 case ("joins", "way", str() as sender, str() as agent, str() as channel, _):
                     if value:
+                        if not next(joined).overtakes:
+                            self._follow_dropped(sender, agent)
                         self._add(Arrives(agent, sender, channel, False))
                 case ("joins", "event", str() as agent, str() as event):
                     if value:
