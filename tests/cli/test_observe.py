@@ -393,6 +393,16 @@ def test_another_model(run: list[str], here: Here) -> None:
     assert (done.code, "the model has no role service, which ann plays" in done.out) == (0, True), done.out
 
 
+def test_a_story_has_the_lines_of_the_model_that_has_run(run: list[str], here: Here) -> None:
+    later = KITCHEN.replace('send request Dish { name = "pie" }', 'send request Dish { name = "cake" }')
+    Path("later.aseme").write_text(
+        later + 'property "slow" { every ann in Order leads to ann in Pay within 2s }\n'
+    )
+    story = here("observe", "out", "--model", "later.aseme").out.partition('property "slow"')[2]
+    assert 'send request Dish { name = "pie" }' in story
+    assert "cake" not in story
+
+
 def test_where_an_agent_of_another_version_is_nobody_knows(run: list[str], here: Here) -> None:
     Path("later.aseme").write_text(KITCHEN.replace("kitchen = cook~", "kitchen = cook"))
     done = here("observe", "out", "--model", "later.aseme")

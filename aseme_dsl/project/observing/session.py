@@ -135,7 +135,9 @@ class Session:
         return whole if found.items() <= whole.items() else found
 
     def _plans(self, model: Model, headers: Sequence[Record]) -> Plans:
-        """What the agents of some traces may run; what another model has counts if it is like it."""
+        """What the agents of some traces may run; what another model has counts if it is like it.
+
+        It stays what it is, for the lines of stories."""
         found = model.plans()
         ran = {(item.get("role"), item.get("model")) for header in headers for item in agents_of(header)}
         first = next((item for item in headers if "sources" in item), None)
@@ -146,10 +148,8 @@ class Session:
         except NotReplayable:  # it is said of each agent that it ran another version
             return found
         own = {role: plan for (role, _), plan in found.items()}
-        alike = {
-            key: own[key[0]] for key, plan in others.items() if key[0] in own and are_alike(plan, own[key[0]])
-        }
-        return found | alike
+        alike = {key: plan for key, plan in others.items() if key[0] in own and are_alike(plan, own[key[0]])}
+        return alike | found
 
     def _start(self, model: Model, team: Team, plans: Callable[[], Plans], *, is_trace: bool) -> None:
         self._talks = Talks(model.contracts, from_start=self._from_start)
