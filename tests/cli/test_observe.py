@@ -278,6 +278,10 @@ def test_a_log_of_messages_is_checked(kitchen: Path, here: Here) -> None:
         ([GOOD[0], *GOOD[3:]], "bob (cook) sends inform Meal to ann: the protocol does not allow it there"),
         ([GOOD[0], line(1, "bob", "cat", "agree", "Dish")], "bob (cook) sends agree Dish to cat: it is not"),
         ([GOOD[0], line(1, "bob", "ann", "refuse", "Dish")], "ordering has no such message"),
+        (
+            [GOOD[0], line(1, "bob", "ann", "agree", "Dish", participant="baker")],
+            "ordering has no participant `baker`",
+        ),
         ([GOOD[0], line(1, "ann", "bob", "agree", "Dish")], "cook sends that, not waiter"),
         ([line(0, "ann", ["bob", "cat", "dan"], "request", "Dish")], "the protocol has at most 2 cook"),
         ([GOOD[0], line(1, "dan", "ann", "agree", "Dish")], "dan sends agree Dish to ann"),

@@ -315,6 +315,10 @@ class Talks:
             if is_answer:
                 return None
             return self._deviation(talk, message, None, f"{beliefs.contract.name} has no such message")
+        strange = next((name for name in message.parts if name and name not in beliefs.contract.parts), "")
+        if strange:
+            reason = f"{beliefs.contract.name} has no participant `{strange}`"
+            return self._deviation(talk, message, None, reason)
         own = self._key(message, message.sender, 0)
         before = talk.agents.get(own, talk.start), self._belief(talk, message, message.to[:1])
         is_alike = all(self._belief(talk, message, (name,)) is before[1] for name in message.to[1:])
