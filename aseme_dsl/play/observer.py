@@ -227,10 +227,14 @@ class Observer:
         """Time alone may have changed something."""
         if self._surroundings is not None and not self._is_over:
             self._pass_to(self._around.now())
-            self._look(_NOTHING)
-            if self._clauses:
-                self._clauses.look(self._now)
-                self._take_clauses()
+            self.look_now()
+
+    def look_now(self) -> None:
+        """Something may have changed without a step, at the moment of what has come last."""
+        self._look(_NOTHING)
+        if self._clauses:
+            self._clauses.look(self._now)
+            self._take_clauses()
 
     def end(self, moment: int, unread: Iterable[Unread] = ()) -> None:
         """The run was to end at this moment: nothing changes any more, and nothing takes what is `unread`."""
@@ -272,11 +276,15 @@ class Observer:
         """An agent has stopped dead: it is in no state, and knows nothing."""
         self._pass_to(self._around.now())
         self.assumed.crash(agent, self._now)
+        self.forget(agent)
+        self._note(agent, "crashes")
+        self.look()
+
+    def forget(self, agent: str) -> None:
+        """An agent is in no state any more, and knows nothing."""
         self._agents[agent].forget()
         self._clauses.crash(agent, self._now)
         self._take_clauses()
-        self._note(agent, "crashes")
-        self.look()
 
     def restarted(self, agent: str) -> None:
         self.look()

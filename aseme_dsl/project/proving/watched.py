@@ -222,7 +222,13 @@ class Watched:
     def begin(self, explored: Explored) -> None:
         """It is about this team."""
         self._explored = explored
+        explored.has_crashed = self._crash
         self.observer.begin(self)
+
+    def _crash(self, agent: str) -> None:
+        """An agent crashes: no step says so. That it may is what is assumed."""
+        self.observer.forget(agent)
+        self.observer.look_now()
 
     # ---- the surroundings of the observer ----------------------------------------------------
 

@@ -183,6 +183,8 @@ class Explored:
         """When that was sent which has come in the present move, if it was not then."""
         self.stepped: Callable[[], None] = lambda: None
         """Called after each step of an agent."""
+        self.has_crashed: Callable[[str], None] = lambda name: None
+        """Called when an agent has crashed."""
         self.windows: list[Window] = []
         """What has turned out in the present move about when it is made."""
         if with_times:
@@ -921,6 +923,7 @@ class Explored:
     def _crash(self, agent: Agent) -> None:
         agent.crash()
         self.crashed.append(agent.name)
+        self.has_crashed(agent.name)
 
     def _end(self, execution: Execution) -> None:
         self.driver.running.remove(execution)
