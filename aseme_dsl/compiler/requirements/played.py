@@ -430,15 +430,18 @@ class _Lowering:
             self.assumptions.append(play.PaceAssumed(name, str(channel), lasts, item.span))
 
     def _assume_network(self, item: nodes.Setup, assumed: Network) -> None:
-        """The network of the run is worse from 0 on, or from when an agent is cut off."""
+        """The network of the run is other than assumed from 0 on, or from when an agent is cut off.
+
+        Without one, nothing is said of delays: messages may be quicker than is assumed.
+        """
         real = self.network or Network()
-        is_worse = (
+        is_other = (
             real.most > assumed.most
-            or real.least < min(assumed.least, real.most)
+            or (self.network is not None and real.least < assumed.least)
             or (real.loss > 0 and not assumed.loss)
             or (real.reorder and not assumed.reorder)
         )
-        moments = [0] if is_worse else [cut.first for cut in self.cuts]
+        moments = [0] if is_other else [cut.first for cut in self.cuts]
         self.assumptions.append(play.NetworkAssumed(min(moments, default=None), item.span, assumed))
 
     # ---- what happens ----------------------------------------------------------------------------

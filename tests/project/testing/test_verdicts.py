@@ -378,6 +378,9 @@ ASSUMED = [
     ("network delay 0..300ms  assume network delay 0..300ms", None),
     ("network delay 0..300ms  assume network delay 0..200ms", "0 s"),
     ("network loss 5%  assume network delay 100ms", "0 s"),
+    ("network delay 50ms  assume network delay 100ms..300ms", "0 s"),
+    ("network delay 0..150ms  assume network delay 100ms..300ms", "0 s"),
+    ("assume network delay 100ms..300ms", None),
     ("from 1s for 1s b loses radio  assume network loss 1%", "1 s"),
     ("assume a has [eyes.state.Ball.visible]", None),  # it is absent
     ("at 1s a receives eyes.state.Ball { }  assume a has [eyes.state.Ball.visible]", "1 s"),
