@@ -11,7 +11,6 @@ from collections import Counter
 from collections.abc import Iterator
 
 from aseme_dsl.proofs.explore.deciding.staging import writable
-from aseme_dsl.proofs.explore.needed import can_end
 from aseme_dsl.runtime.chart.plan import Plan, State, Transition, is_in
 
 Terms = tuple[object, ...]
@@ -96,7 +95,7 @@ def _is_alone(plan: Plan, region: State) -> bool:
     label = region.label
     if region.parent is None or plan.by_label[region.parent].type != "AND":
         return False
-    if can_end(plan, region.label) or any(is_in(info.label, label) for info in plan.branches):
+    if plan.can_end(region.label) or any(is_in(info.label, label) for info in plan.branches):
         return False
     for item in plan.transitions:
         if is_in(item.source, label) and (

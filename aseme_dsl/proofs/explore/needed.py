@@ -247,7 +247,7 @@ class _Search:
     def _completion(self, plan: Plan, label: str) -> None:
         """The regions of an AND that can come to their end: it is complete when all have."""
         inside = plan.children(label)
-        if all(can_end(plan, child.label) for child in inside):
+        if all(plan.can_end(child.label) for child in inside):
             for child in inside:
                 self.add(plan, child.label)
 
@@ -286,50 +286,7 @@ def is_steady(plan: Plan, region: str) -> bool:
         for item in plan.transitions
         if is_in(item.source, region)
     )
-    return is_free and sum(state.type == "BASIC" for state in inside) == 1 and not can_end(plan, region)
+    return is_free and sum(state.type == "BASIC" for state in inside) == 1 and not plan.can_end(region)
 
 
-def can_end(plan: Plan, label: str) -> bool:
-    """Whether a state can be complete, if all conditions may hold."""
-    match plan.by_label[label].type:
-        case "AND":
-            return all(can_end(plan, child.label) for child in plan.children(label))
-        case "OR":
-            return _reaches_end(plan, label)
-        case _:
-            return True
-
-
-def _reaches_end(plan: Plan, label: str) -> bool:
-    inside = {child.label: child for child in plan.children(label)}
-    seen: set[str] = set()
-    todo = [name for name, child in inside.items() if child.type == "START"]
-    todo += [
-        name
-        for item in plan.transitions
-        if item.kind == "external" and (item.into or not is_in(item.source, label))
-        for target in item.targets
-        for name in inside
-        if is_in(target, name)
-    ]
-    while todo:
-        name = todo.pop()
-        if name in seen:
-            continue
-        seen.add(name)
-        if inside[name].type == "END":
-            return True
-        is_complete = can_end(plan, name)
-        todo += [
-            other
-            for item in plan.transitions
-            if item.kind == "external"
-            and is_in(item.source, name)
-            and (is_complete or item.first or item.when or item.events or item.source != name)
-            for other in inside
-            if is_in(item.target, other)
-        ]
-    return False
-
-
-__all__ = ["Asked", "Needed", "can_end", "groups_in", "is_steady", "needed_for", "region_of"]
+__all__ = ["Asked", "Needed", "groups_in", "is_steady", "needed_for", "region_of"]

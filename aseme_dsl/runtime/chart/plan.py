@@ -382,6 +382,54 @@ class Plan:
     def _branch_of(self) -> dict[str, str | None]:
         return {}
 
+    def can_end(self, label: str) -> bool:
+        """Whether a state can be complete, if all conditions may hold."""
+        known = self._can_end
+        if label not in known:
+            match self.by_label[label].type:
+                case "AND":
+                    known[label] = all(self.can_end(child.label) for child in self.children(label))
+                case "OR":
+                    known[label] = self._reaches_end(label)
+                case _:
+                    known[label] = True
+        return known[label]
+
+    @cached_property
+    def _can_end(self) -> dict[str, bool]:
+        return {}
+
+    def _reaches_end(self, label: str) -> bool:
+        inside = {child.label: child for child in self.children(label)}
+        ways = [item for item in self.transitions if item.kind == "external"]
+        seen: set[str] = set()
+        todo = [name for name, child in inside.items() if child.type == "START"]
+        todo += [
+            name
+            for item in ways
+            if item.into or not is_in(item.source, label)
+            for target in item.targets
+            for name in inside
+            if is_in(target, name)
+        ]
+        while todo:
+            name = todo.pop()
+            if name in seen:
+                continue
+            seen.add(name)
+            if inside[name].type == "END":
+                return True
+            is_complete = self.can_end(name)
+            todo += [
+                other
+                for item in ways
+                if is_in(item.source, name)
+                and (is_complete or item.first or item.when or item.events or item.source != name)
+                for other in inside
+                if is_in(item.target, other)
+            ]
+        return False
+
     @cached_property
     def activities_inside(self) -> dict[str, tuple[State, ...]]:
         """The states with activities inside each protocol branch, in document order."""

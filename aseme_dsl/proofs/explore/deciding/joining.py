@@ -8,7 +8,7 @@ may happen.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from functools import partial
+from functools import lru_cache, partial
 
 from aseme_dsl.proofs.explore.coming import Coming
 from aseme_dsl.proofs.explore.deciding.choosing import Choices
@@ -147,6 +147,7 @@ def is_signal(what: str) -> bool:
     return what.split(".")[1:2] == ["signal"]
 
 
+@lru_cache(maxsize=64)
 def related_in(plan: Plan) -> _Related:
     """What is there for one step, and what a way of that step may ask for beside it."""
     lines: dict[str, list[Transition]] = {}
@@ -182,6 +183,7 @@ def _letters_in(plan: Plan) -> Iterator[tuple[str, str]]:
                 yield what, name
 
 
+@lru_cache(maxsize=64)
 def first_in(plan: Plan) -> frozenset[str]:
     """The signals and events for which ways of the first step ask; a later step would not have these ways."""
     found: set[str] = set()
