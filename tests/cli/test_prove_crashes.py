@@ -1,4 +1,4 @@
-"""`asemec prove`: who has crashed is in no state, as in a run."""
+"""`asemec prove`: who has crashed or left, and who joins late, as in a run."""
 
 from __future__ import annotations
 
@@ -63,3 +63,35 @@ def test_who_has_crashed_is_in_no_state(here: Here, folder: Path) -> None:
 def test_what_who_has_crashed_did_counts_no_more(here: Here, folder: Path) -> None:
     """The sender of a question learns of the crash when nobody answers any more. That was UNDECIDED."""
     assert proved(here, folder, PEERS, "gone") == ["PROVED"]
+
+
+LATE = """\
+system Late
+message Job { int n }
+aip one {
+  participant boss { sends request Job receives inform Job  process = Ask . Wait }
+  participant worker { sends inform Job receives request Job  process = Do }
+  control boss {
+    enter Wait : / send request Job { n = 1 } to worker
+    leave Wait : inform Job from worker or after(2s)
+  }
+  control worker {
+    enter Do : request Job from boss
+    leave Do : / send inform Job { n = 3 } to boss
+    leave Do : lost boss
+  }
+  clause Wait@boss before Do@worker
+  clause every Wait@boss leads to Do@worker
+}
+srm chief { plays one.boss  liveness { chief = boss . Rest }  activities { Rest waits } }
+srm hand { plays one.worker  liveness { hand = Nap . worker }  activities { Nap takes 1s } }
+team T { b : chief  w : hand }
+"""
+
+
+def test_a_conversation_goes_on_with_who_joins_when_all_have_left(here: Here, folder: Path) -> None:
+    """It began anew with who joined, as if nobody had waited: that was UNDECIDED."""
+    assert proved(here, folder, LATE, "team", "Wait@boss before Do@worker") == ["PROVED"]
+    done = here("prove", "it.aseme", "team", "every Wait@boss leads to Do@worker")
+    assert done.out.startswith("REFUTED")
+    assert "b gets not_understood Job of w" in done.out.splitlines()[-1]

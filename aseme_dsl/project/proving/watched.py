@@ -327,7 +327,8 @@ class Watched:
         return found
 
     def _end_talks(self) -> None:
-        """In a conversation that all have left, what is still awaited does not come."""
+        """What is awaited in a conversation does not come when all have left it and none may join it."""
+        assert self._explored is not None
         clauses = self.observer._clauses
         for name, talk in list(clauses._talks.items()):
             for number, state in talk.states.items():
@@ -335,7 +336,7 @@ class Watched:
                     talk.states[number] = State(Verdict.KEPT)
                 elif state.verdict is Verdict.BROKEN:
                     self.observer.states[number] = state
-            if talk.places:
+            if talk.places or self._explored.may_be_joined(name):
                 continue
             for number, state in talk.states.items():
                 rule = clauses._clauses[number].rule

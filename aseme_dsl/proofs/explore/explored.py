@@ -528,6 +528,14 @@ class Explored:
                     found.append(Letter(name, item.sender, number, item.performative, item.message))
         return tuple(found)
 
+    def may_be_joined(self, conversation: str) -> bool:
+        """Whether a message of a conversation is on its way, or an agent has still to join by one."""
+        found = self.conversations._members.conversations.get(conversation)
+        letters = (letter_of(item) for items in self.ways.ways.values() for item in items)
+        return (found is not None and found.invitations > 0) or any(
+            letter is not None and letter.conversation == conversation for letter in letters
+        )
+
     def writers(self) -> Mapping[str, frozenset[str]]:
         """The agents that may publish on each channel."""
         return self.coming.writers()
