@@ -524,7 +524,7 @@ def test_what_is_missed_does_not_come(here: Here, folder: Path) -> None:
 
 
 DURATIONS = """system Long
-message Rest { duration least }
+message Rest { duration least  optional Rest next }
 message Plan { duration lease  Rest rest }
 topic desk { state Plan from outside }
 suc { role other : external }

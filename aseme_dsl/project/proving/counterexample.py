@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import fields, is_dataclass
 from enum import Enum
 from typing import assert_never, cast
 
-from aseme_dsl.amola.messages import DURATION, Kind, Message
+from aseme_dsl.amola.messages import Type
 from aseme_dsl.proofs.explore.deciding.unread import Path
 from aseme_dsl.proofs.explore.retrace import (
     Acts,
@@ -43,24 +43,18 @@ class Run:
 
 @dataclass(frozen=True, slots=True)
 class Types:
-    """What values are: the types of the variables of agents, and the ways to durations in messages."""
+    """What values are: the types of the variables of agents, and of the members of messages."""
 
     variables: Mapping[str, Mapping[str, str]]
-    durations: Mapping[str, frozenset[Path]]
+    members: Mapping[str, Mapping[str, Type]]
 
-
-def durations_in(messages: Iterable[Message]) -> Mapping[str, frozenset[Path]]:
-    """The ways to the members of messages that are durations, or lists of some."""
-    fields_of = {item.name: item.fields for item in messages}
-
-    def ways(name: str, at: Path) -> Iterator[Path]:
-        for item in fields_of.get(name, ()):
-            if DURATION in (item.type, item.type.element):
-                yield (*at, item.name)
-            elif item.type.kind is Kind.MESSAGE:
-                yield from ways(item.type.name, (*at, item.name))
-
-    return {name: frozenset(ways(name, ())) for name in fields_of}
+    def of_member(self, message: str, path: Path) -> str:
+        """The type of a member of a message, by the way to it."""
+        found: Type | None = None
+        for name in path:
+            found = self.members.get(message, {}).get(name)
+            message = "" if found is None else found.name
+        return "" if found is None else str(found)
 
 
 def scenario_of(run: Run, found: Retraced, types: Types) -> str:
@@ -141,10 +135,8 @@ def _kind(content: Content) -> str:
 
 def _fills(content: Content, types: Types) -> str:
     pairs = content.members.items() if content.whole is None else _members(content.whole, ())
-    durations = types.durations.get(_kind(content), frozenset())
     return "  ".join(
-        f"{'.'.join(path)} = {_value(value, 'duration' if path in durations else '')}"
-        for path, value in pairs
+        f"{'.'.join(path)} = {_value(value, types.of_member(_kind(content), path))}" for path, value in pairs
     )
 
 
@@ -175,4 +167,4 @@ def _value(value: object, kind: str) -> str:
             return str(value)
 
 
-__all__ = ["Run", "Types", "durations_in", "moment", "scenario_of"]
+__all__ = ["Run", "Types", "moment", "scenario_of"]

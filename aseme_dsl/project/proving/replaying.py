@@ -16,7 +16,7 @@ from aseme_dsl.play.scenario import GUARANTEE, Expectation, Scenario
 from aseme_dsl.play.sight.guards import Guards
 from aseme_dsl.project.building.build import choose, with_labels
 from aseme_dsl.project.building.project import configuration_for, options_of
-from aseme_dsl.project.proving.counterexample import Run, Types, durations_in, scenario_of
+from aseme_dsl.project.proving.counterexample import Run, Types, scenario_of
 from aseme_dsl.proofs.explore.explored import Explored
 from aseme_dsl.proofs.explore.memory import Picture
 from aseme_dsl.proofs.explore.retrace import NotRetraced, retrace
@@ -51,7 +51,8 @@ def written(
         agent.name: {item.name.partition("@")[0]: item.type for item in agent.plan.variables}
         for agent in explored.agents
     }
-    types = Types(variables, durations_in(system.messages))
+    members = {item.name: {member.name: member.type for member in item.fields} for item in system.messages}
+    types = Types(variables, members)
     try:
         return Replay(scenario_of(run, retrace(explored, first, steps, moments), types))
     except NotRetraced as problem:
